@@ -1,0 +1,46 @@
+/* draw/triangle.h: painted triangles: set-up, planes and the edge walk joined.
+ *
+ * `kernel` chooses the pixel work: depth test and byte order stand in its name. A triangle
+ * without visible rows or columns costs no plane. Every vertex in the ranges of base/sink.h is
+ * legal; zero area draws nothing; both windings draw (cull before, vertex/cull.h).
+ */
+#ifndef ETCH_DRAW_TRIANGLE_H
+#define ETCH_DRAW_TRIANGLE_H
+
+#include "../base/paint.h"
+#include "../base/sink.h"
+
+/* What the functions below have in common, so that a sink can hold any of them. */
+typedef void etch_triangle_painter(const struct etch_surface *s,
+                                   const struct etch_vertex *const v[3], etch_kernel *kernel);
+
+/* In the colour of v[0]; kernel: etch_kernel_flat. */
+etch_triangle_painter etch_triangle_flat;
+
+/* In the colour of v[0], byte-swapped. */
+etch_triangle_painter etch_triangle_flat_swapped;
+
+/* The same with a depth plane; kernel: etch_kernel_flat_less, _lequal or a user's. */
+etch_triangle_painter etch_triangle_flat_depth;
+etch_triangle_painter etch_triangle_flat_depth_swapped;
+
+/* Colours interpolated; kernel: etch_kernel_gouraud, _gouraud_swapped or a user's. */
+etch_triangle_painter etch_triangle_gouraud;
+
+/* Colours and depth interpolated; kernel: etch_kernel_gouraud_less, .. */
+etch_triangle_painter etch_triangle_gouraud_depth;
+
+#include "../fragment/barycentric.h"
+
+/* color(context, x, y, b) for every pixel of the triangle. */
+void etch_triangle_barycentric(const struct etch_surface *s, const struct etch_vertex *const v[3],
+                               etch_barycentric_function *color, void *context);
+
+/* One colour, vertices in 16.16 px, snapped to 1/256. Every input is legal. */
+struct etch_point_q16 {
+    etch_q16 x, y;
+};
+void etch_triangle_fill_q16(const struct etch_surface *s, const struct etch_point_q16 v[3],
+                            uint16_t color);
+
+#endif
