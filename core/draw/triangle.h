@@ -9,6 +9,7 @@
 
 #include "../base/paint.h"
 #include "../base/sink.h"
+#include "../fragment/barycentric.h"
 
 /* What the functions below have in common, so that a sink can hold any of them. */
 typedef void etch_triangle_painter(const struct etch_surface *s,
@@ -29,8 +30,6 @@ etch_triangle_painter etch_triangle_gouraud;
 
 /* Colours and depth interpolated; kernel: etch_kernel_gouraud_less, .. */
 etch_triangle_painter etch_triangle_gouraud_depth;
-
-#include "../fragment/barycentric.h"
 
 /* color(context, x, y, b) for every pixel of the triangle. */
 void etch_triangle_barycentric(const struct etch_surface *s, const struct etch_vertex *const v[3],

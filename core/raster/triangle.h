@@ -29,6 +29,10 @@ struct etch_triangle {
  * *t is not to be used). Vertices must be in range. */
 bool etch_triangle_setup(struct etch_triangle *t, const struct etch_point_q8 v[3]);
 
+/* Whether the rows and columns that the triangle spans meet `clip`: a quick test before planes
+ * are set up. */
+bool etch_triangle_is_visible(const struct etch_triangle *t, struct etch_rect clip);
+
 /* Twice the area in (1/256 px)^2, positive, at most 2^48. */
 uint64_t etch_triangle_area(const struct etch_triangle *t);
 
