@@ -1,0 +1,113 @@
+# bench.mk: what drawing costs, and what it weighs. Included by the Makefile.
+#
+# Every workload Wn becomes a firmware for Cortex-M0+ and M4 (run by QEMU, counted by plugin.c)
+# and a host program (counted by callgrind). A count is only kept if its picture is right: the
+# host's is checked against the slow oracle of check.c, the firmware's must equal the host's.
+# W="6 8" chooses workloads, CORES="m0plus m4 host" where they run.
+
+W       ?= 1 2 3 4 5 6 7 8 9 10 11 15
+CORES   ?= m0plus m4 host
+VARIANT ?= portable
+PROFILE ?= function
+
+BENCH       := $(BUILD)/bench
+BENCH_SRC   := tests/bench
+BENCH_OPT   ?= -O2 -g
+BENCH_FLAGS  = $(WARN) $(BENCH_OPT) -ffunction-sections -fdata-sections -MMD -MP
+BENCH_WORK  := $(wildcard $(BENCH_SRC)/workloads_*.c)
+BENCH_LIB   := $(CORE) $(HAL)
+ARM         ?= arm-none-eabi-
+
+# What each core is: compiler and flags, board (any Cortex-M runs ARMv6-M code).
+BENCH_CC_m0plus      := $(ARM)gcc -mcpu=cortex-m0plus -mthumb
+BENCH_CC_m4          := $(ARM)gcc -mcpu=cortex-m4 -mthumb
+BENCH_CC_host         = $(CC)
+BENCH_MACHINE_m0plus := mps2-an385
+BENCH_MACHINE_m4     := mps2-an386
+
+# Leaf loops per architecture, which the variant "best" puts in place of the portable files.
+BENCH_LEAF_m0plus-best := $(wildcard core/leaf/armv6m/*.[cS])
+BENCH_LEAF_m4-best     := $(wildcard core/leaf/armv7em/*.[cS])
+
+# $(call bench_objects,DIR,SOURCES)
+bench_objects = $(patsubst %,$(BENCH)/$(1)/%.o,$(basename $(2)))
+
+# $(call bench_core,CORE,VARIANT): objects, library and one program a workload, all in one
+# directory. Leaf objects come before the library, so that its members of the same names stay
+# out.
+define bench_core
+$(BENCH)/$(1)-$(2)/%.o: %.c
+	@mkdir -p $$(@D)
+	$$(BENCH_CC_$(1)) $$(BENCH_FLAGS) -ffreestanding -c $$< -o $$@
+$(BENCH)/$(1)-$(2)/%.o: %.S
+	@mkdir -p $$(@D)
+	$$(BENCH_CC_$(1)) -g -c $$< -o $$@
+$(BENCH)/$(1)-$(2)/libetch.a: $(call bench_objects,$(1)-$(2),$(BENCH_LIB))
+	@rm -f $$@
+	@$(if $(filter host,$(1)),$$(AR),$(ARM)ar) rcs $$@ $$^
+.SECONDARY: $(call bench_objects,$(1)-$(2),$(BENCH_LIB) $(BENCH_WORK))
+-include $(patsubst %.o,%.d,$(call bench_objects,$(1)-$(2),$(BENCH_LIB) $(BENCH_WORK)))
+endef
+
+define bench_firmware
+$(call bench_core,$(1),$(2))
+$(BENCH)/$(1)-$(2)/w%.elf: $(BENCH_SRC)/main.c $(BENCH_SRC)/start.c linker/mps2.ld \
+    $(call bench_objects,$(1)-$(2),$(BENCH_WORK) $(BENCH_LEAF_$(1)-$(2))) \
+    $(BENCH)/$(1)-$(2)/libetch.a
+	@$$(BENCH_CC_$(1)) $$(filter-out -MMD -MP,$$(BENCH_FLAGS)) -ffreestanding -nostdlib \
+	    -Wl,--gc-sections -T linker/mps2.ld -DWORKLOAD=$$* $$(filter %.c %.o,$$^) \
+	    $(BENCH)/$(1)-$(2)/libetch.a -lgcc -o $$@
+$(BENCH)/$(1)-$(2)/w%/counts.txt: $(BENCH)/$(1)-$(2)/w%.elf $(BENCH)/plugin.so \
+    $(BENCH)/host-portable/w%/truth.txt
+	@$(BENCH_SRC)/run_firmware.sh $$(BENCH_MACHINE_$(1)) $$< $(BENCH)/plugin.so $$(@D) \
+	    $(BENCH)/host-portable/w$$*
+.PRECIOUS: $(BENCH)/$(1)-$(2)/w%.elf $(BENCH)/$(1)-$(2)/w%/counts.txt
+endef
+
+$(foreach v,portable best,$(eval $(call bench_firmware,m0plus,$(v))))
+$(foreach v,portable best,$(eval $(call bench_firmware,m4,$(v))))
+$(eval $(call bench_core,host,portable))
+
+$(BENCH)/host-portable/w%.elf: $(BENCH_SRC)/main.c $(BENCH_SRC)/host.c \
+    $(call bench_objects,host-portable,$(BENCH_WORK)) $(BENCH)/host-portable/libetch.a
+	@$(CC) $(filter-out -MMD -MP,$(BENCH_FLAGS)) -Wl,--gc-sections -DWORKLOAD=$* $^ -o $@
+
+# The host's picture, checked: truth.txt says how many primitives and pixels it has.
+$(BENCH)/host-portable/w%/truth.txt: $(BENCH)/host-portable/w%.elf $(BENCH)/check
+	@rm -rf $(@D) && mkdir -p $(@D)
+	@cd $(@D) && $(abspath $<)
+	@$(BENCH)/check $* $(@D) >$@.new && mv $@.new $@
+
+$(BENCH)/host-portable/w%/counts.txt: $(BENCH)/host-portable/w%.elf \
+    $(BENCH)/host-portable/w%/truth.txt
+	@$(BENCH_SRC)/run_callgrind.sh $< $(@D)
+.PRECIOUS: $(BENCH)/host-portable/w%.elf $(BENCH)/host-portable/w%/truth.txt \
+    $(BENCH)/host-portable/w%/counts.txt
+
+$(BENCH)/plugin.so: $(BENCH_SRC)/plugin.c
+	@mkdir -p $(@D)
+	$(CC) -O2 -Wall -Wextra -shared -fPIC $< -o $@
+
+$(BENCH)/check: $(BENCH_SRC)/check.c $(BENCH_SRC)/check_2d.c $(BENCH_SRC)/check_triangle.c \
+    $(BENCH_SRC)/check.h $(BENCH_SRC)/workloads.h $(BENCH_SRC)/bench.h
+	@mkdir -p $(@D)
+	$(CC) $(WARN) -O2 $(filter %.c,$^) -o $@
+
+BENCH_RUNS = $(foreach c,$(CORES),$(foreach n,$(W), \
+    $(BENCH)/$(c)-$(if $(filter host,$(c)),portable,$(VARIANT))/w$(n)/counts.txt))
+
+.PHONY: bench
+bench: $(BENCH_RUNS) ## instructions per pixel and primitive on Cortex-M0+, M4 and here (W="6 8")
+	@python3 $(BENCH_SRC)/report.py $(BENCH) $^
+
+.PHONY: bench-diff
+bench-diff: bench ## what a change made better or worse; fails on more than 2 % worse
+	@python3 $(BENCH_SRC)/diff.py $(BENCH_SRC)/baseline.csv $(BUILD)/bench.csv
+
+.PHONY: bench-baseline
+bench-baseline: bench ## takes today's figures as the baseline of bench-diff
+	cp $(BUILD)/bench.csv $(BENCH_SRC)/baseline.csv
+
+.PHONY: profile
+profile: $(BENCH_RUNS) ## instructions per function (W=6 CORES=m0plus; PROFILE=insn per instruction)
+	@for c in $^; do python3 $(BENCH_SRC)/profile.py $(PROFILE) $$c $(FUNCTION); done

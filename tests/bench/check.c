@@ -1,0 +1,78 @@
+/* bench/check.c: is a workload's picture right?
+ *
+ *      check WORKLOAD DIR      reads DIR/frame.565 and, if there, DIR/frame.z16
+ *
+ * Prints "primitives N pixels N" (pixels: covered, summed over primitives, the unit of the
+ * table) if it is; otherwise says where it is wrong on stderr and ends with status 1.
+ */
+#include "check.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+static struct check c;
+
+/* A plane of the machine's own words, or NULL if there is no such file. */
+static const uint16_t *read_plane(const char *dir, const char *name)
+{
+    const size_t n = WL_W * WL_H;
+    uint16_t *plane = malloc(n * sizeof *plane);
+    char path[4096];
+
+    snprintf(path, sizeof path, "%s/%s", dir, name);
+    FILE *f = fopen(path, "rb");
+    if (f == NULL)
+        return NULL;
+    if (plane == NULL || fread(plane, sizeof *plane, n, f) != n) {
+        fprintf(stderr, "%s: too short\n", path);
+        exit(1);
+    }
+    fclose(f);
+    return plane;
+}
+
+static bool depth_is_right(int64_t exact, uint16_t drawn)
+{
+    return exact == CHECK_FAR ? drawn == 65535
+                              : llabs(((int64_t)drawn << 16) - exact) <= CHECK_TOLERANCE;
+}
+
+static bool pixel_is_right(int x, int y)
+{
+    const int i = y * WL_W + x;
+
+    if (c.depth == NULL)
+        return c.expected[y][x].drawn ? check_color(c.color[i], c.expected[y][x].channel)
+                                      : c.color[i] == 0;
+    if (!depth_is_right(c.least[y][x], c.depth[i]))
+        return false;
+    return c.least[y][x] == CHECK_FAR ? c.color[i] == 0 : c.matched[y][x];
+}
+
+int main(int argc, char **argv)
+{
+    const int workload = argc == 3 ? atoi(argv[1]) : 0;
+    int wrong = 0;
+
+    if (workload == 0)
+        return fprintf(stderr, "usage: check WORKLOAD DIR\n"), 2;
+    c.color = read_plane(argv[2], "frame.565");
+    c.depth = read_plane(argv[2], "frame.z16");
+    if (c.color == NULL)
+        return fprintf(stderr, "W%d: no picture\n", workload), 1;
+    for (int i = 0; i < WL_W * WL_H; i++)
+        c.least[i / WL_W][i % WL_W] = CHECK_FAR;
+    if (workload <= WL_DISC)
+        check_2d(&c, workload);
+    else
+        check_triangles(&c, workload);
+    for (int y = 0; y < WL_H; y++)
+        for (int x = 0; x < WL_W; x++)
+            if (!pixel_is_right(x, y) && wrong++ < 5)
+                fprintf(stderr, "W%d: pixel (%d, %d) is wrong: 0x%04x\n", workload, x, y,
+                        (unsigned)c.color[y * WL_W + x]);
+    if (wrong != 0)
+        return fprintf(stderr, "W%d: %d pixels are wrong\n", workload, wrong), 1;
+    printf("primitives %lu pixels %lu\n", (unsigned long)c.primitives, (unsigned long)c.pixels);
+    return 0;
+}
