@@ -42,7 +42,7 @@ void etch_circle_runs(const struct etch_surface *s, int16_t cx, int16_t cy, int1
     if (r < 0 || y >= y1 || (int32_t)cx - r >= c.x1 || (int32_t)cx + r < c.x0)
         return;
     if (r == 0)
-        h.rr = 1; /* the rules above then give w = 0 in row 0 */
+        h.rr = 1, h.end = -1; /* the second rule then gives w = 0 in row 0 */
     else
         h.end = octant_end(r);
     h.w = etch_sqrt_u32((uint32_t)(h.rr - (y - cy) * (y - cy)));
