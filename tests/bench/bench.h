@@ -21,11 +21,9 @@ struct bench_workload {
 extern const struct bench_workload bench_w1, bench_w2, bench_w3, bench_w4, bench_w5, bench_w6,
     bench_w7, bench_w8, bench_w9, bench_w10, bench_w11, bench_w12, bench_w13, bench_w15;
 
-/* The lists, made by the workloads' prepare functions. The oracle of the check reads them too. */
-extern wl_rect bench_rects[WL_NRECT];
-extern wl_line bench_lines[WL_NLINE];
-extern wl_circ bench_circles[WL_NCIRC];
-extern wl_tri bench_triangles[WL_NSMALL];
+/* W15 without its rasteriser: hands the triangles of a frame to `sink`. After prepare. */
+struct etch_sink;
+void bench_torus_draw(uint8_t frame, struct etch_sink *sink);
 
 #define BENCH_CLEAR_COLOR 0x8410 /* what W1 draws; all others draw on 0 */
 

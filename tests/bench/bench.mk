@@ -5,7 +5,7 @@
 # host's is checked against the slow oracle of check.c, the firmware's must equal the host's.
 # W="6 8" chooses workloads, CORES="m0plus m4 host" where they run.
 
-W       ?= 1 2 3 4 5 6 7 8 9 10 11 15
+W       ?= 1 2 3 4 5 6 7 8 9 10 11 $(if $(wildcard core/draw/mesh*.c),15)
 CORES   ?= m0plus m4 host
 VARIANT ?= portable
 PROFILE ?= function
@@ -88,10 +88,13 @@ $(BENCH)/plugin.so: $(BENCH_SRC)/plugin.c
 	@mkdir -p $(@D)
 	$(CC) -O2 -Wall -Wextra -shared -fPIC $< -o $@
 
-$(BENCH)/check: $(BENCH_SRC)/check.c $(BENCH_SRC)/check_2d.c $(BENCH_SRC)/check_triangle.c \
-    $(BENCH_SRC)/check.h $(BENCH_SRC)/workloads.h $(BENCH_SRC)/bench.h
+# The check of W15 runs the vertex stage and records its triangles.
+$(BENCH)/check: $(wildcard $(BENCH_SRC)/check*.[ch]) $(BENCH_SRC)/workloads.h \
+    $(BENCH_SRC)/bench.h $(call bench_objects,host-portable,$(BENCH_SRC)/workloads_mesh.c) \
+    $(BENCH)/host-portable/libetch.a
 	@mkdir -p $(@D)
-	$(CC) $(WARN) -O2 $(filter %.c,$^) -o $@
+	$(CC) $(WARN) -O2 -Wl,--gc-sections,--unresolved-symbols=ignore-all \
+	    $(filter %.c %.o %.a,$^) -lm -o $@
 
 BENCH_RUNS = $(foreach c,$(CORES),$(foreach n,$(W), \
     $(BENCH)/$(c)-$(if $(filter host,$(c)),portable,$(VARIANT))/w$(n)/counts.txt))
@@ -109,5 +112,31 @@ bench-baseline: bench ## takes today's figures as the baseline of bench-diff
 	cp $(BUILD)/bench.csv $(BENCH_SRC)/baseline.csv
 
 .PHONY: profile
-profile: $(BENCH_RUNS) ## instructions per function (W=6 CORES=m0plus; PROFILE=insn per instruction)
+profile: $(BENCH_RUNS) ## instructions per function (W=6 CORES=m0plus; PROFILE=line, PROFILE=insn)
 	@for c in $^; do python3 $(BENCH_SRC)/profile.py $(PROFILE) $$c $(FUNCTION); done
+
+# ---- size: programs for Cortex-M0+ at -Os, linked with all they pull in ----------------------------
+
+SIZE          := $(BENCH)/size
+SIZE_PROGRAMS := $(patsubst $(BENCH_SRC)/size/%.c,%, \
+                     $(filter-out %/memory.c,$(wildcard $(BENCH_SRC)/size/*.c)))
+SIZE_ELFS     := $(SIZE_PROGRAMS:%=$(SIZE)/%.elf)
+SIZE_FLAGS     = $(WARN) -Os -g -ffreestanding -ffunction-sections -fdata-sections -MMD -MP
+SIZE_ENFORCE  ?=
+SIZE_OPTIONS  ?=
+
+$(SIZE)/%.o: %.c
+	@mkdir -p $(@D)
+	$(BENCH_CC_m0plus) $(SIZE_FLAGS) -c $< -o $@
+$(SIZE)/libetch.a: $(BENCH_LIB:%.c=$(SIZE)/%.o) $(SIZE)/$(BENCH_SRC)/size/memory.o
+	@rm -f $@
+	@$(ARM)ar rcs $@ $^
+$(SIZE)/%.elf: $(SIZE)/$(BENCH_SRC)/size/%.o $(SIZE)/libetch.a linker/size.ld
+	@$(BENCH_CC_m0plus) -nostdlib -Wl,--gc-sections -T linker/size.ld $(filter %.o %.a,$^) -lgcc -o $@
+.SECONDARY: $(BENCH_LIB:%.c=$(SIZE)/%.o)
+-include $(shell find $(SIZE) -name '*.d' 2>/dev/null)
+
+.PHONY: size
+size: $(SIZE_ELFS) ## flash of small programs against their budgets (SIZE_OPTIONS=--symbols)
+	@python3 $(BENCH_SRC)/size.py $(BENCH_SRC)/size/budgets.csv $(SIZE_OPTIONS) \
+	    --enforce "$(SIZE_ENFORCE)" -- $^

@@ -2,7 +2,7 @@
  *
  *      check WORKLOAD DIR      reads DIR/frame.565 and, if there, DIR/frame.z16
  *
- * Prints "primitives N pixels N" (pixels: covered, summed over primitives, the unit of the
+ * Prints "primitives N pixels N frames N" (pixels: covered, summed over primitives, the unit of the
  * table) if it is; otherwise says where it is wrong on stderr and ends with status 1.
  */
 #include "check.h"
@@ -12,8 +12,8 @@
 
 static struct check c;
 
-/* A plane of the machine's own words, or NULL if there is no such file. */
-static const uint16_t *read_plane(const char *dir, const char *name)
+/* A plane of the machine's own words, that of the given frame, or NULL if there is none. */
+static const uint16_t *read_plane(const char *dir, const char *name, int frame)
 {
     const size_t n = WL_W * WL_H;
     uint16_t *plane = malloc(n * sizeof *plane);
@@ -23,7 +23,8 @@ static const uint16_t *read_plane(const char *dir, const char *name)
     FILE *f = fopen(path, "rb");
     if (f == NULL)
         return NULL;
-    if (plane == NULL || fread(plane, sizeof *plane, n, f) != n) {
+    if (plane == NULL || fseek(f, frame * (long)(n * sizeof *plane), SEEK_SET) != 0 ||
+        fread(plane, sizeof *plane, n, f) != n) {
         fprintf(stderr, "%s: too short\n", path);
         exit(1);
     }
@@ -49,30 +50,52 @@ static bool pixel_is_right(int x, int y)
     return c.least[y][x] == CHECK_FAR ? c.color[i] == 0 : c.matched[y][x];
 }
 
-int main(int argc, char **argv)
+/* The number of wrong pixels; the first ones are named. */
+static int compare(int workload)
 {
-    const int workload = argc == 3 ? atoi(argv[1]) : 0;
     int wrong = 0;
 
-    if (workload == 0)
-        return fprintf(stderr, "usage: check WORKLOAD DIR\n"), 2;
-    c.color = read_plane(argv[2], "frame.565");
-    c.depth = read_plane(argv[2], "frame.z16");
-    if (c.color == NULL)
-        return fprintf(stderr, "W%d: no picture\n", workload), 1;
-    for (int i = 0; i < WL_W * WL_H; i++)
-        c.least[i / WL_W][i % WL_W] = CHECK_FAR;
-    if (workload <= WL_DISC)
-        check_2d(&c, workload);
-    else
-        check_triangles(&c, workload);
     for (int y = 0; y < WL_H; y++)
         for (int x = 0; x < WL_W; x++)
             if (!pixel_is_right(x, y) && wrong++ < 5)
                 fprintf(stderr, "W%d: pixel (%d, %d) is wrong: 0x%04x\n", workload, x, y,
                         (unsigned)c.color[y * WL_W + x]);
-    if (wrong != 0)
-        return fprintf(stderr, "W%d: %d pixels are wrong\n", workload, wrong), 1;
-    printf("primitives %lu pixels %lu\n", (unsigned long)c.primitives, (unsigned long)c.pixels);
+    return wrong;
+}
+
+/* Draws the frame that should be there, as far as a comparison needs it. */
+static bool expect(int workload, uint8_t frame)
+{
+    for (int i = 0; i < WL_W * WL_H; i++) {
+        c.least[i / WL_W][i % WL_W] = CHECK_FAR;
+        c.matched[i / WL_W][i % WL_W] = false;
+    }
+    if (workload == WL_MESH)
+        return check_torus(&c, frame);
+    if (workload <= WL_DISC)
+        check_2d(&c, workload);
+    else
+        check_triangles(&c, workload);
+    return true;
+}
+
+int main(int argc, char **argv)
+{
+    const int workload = argc == 3 ? atoi(argv[1]) : 0;
+    const uint8_t frames = workload == WL_MESH ? WL_NFRAME : 1;
+
+    if (workload == 0)
+        return fprintf(stderr, "usage: check WORKLOAD DIR\n"), 2;
+    for (uint8_t frame = 0; frame < frames; frame++) {
+        c.color = read_plane(argv[2], "frame.565", frame);
+        c.depth = read_plane(argv[2], "frame.z16", frame);
+        if (c.color == NULL)
+            return fprintf(stderr, "W%d: no picture\n", workload), 1;
+        const int wrong = expect(workload, frame) ? compare(workload) : WL_W * WL_H;
+        if (wrong != 0)
+            return fprintf(stderr, "W%d: %d pixels are wrong\n", workload, wrong), 1;
+    }
+    printf("primitives %lu pixels %lu frames %d\n", (unsigned long)c.primitives,
+           (unsigned long)c.pixels, frames);
     return 0;
 }

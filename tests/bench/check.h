@@ -23,7 +23,7 @@ struct check {
     struct expected expected[WL_H][WL_W];   /* workloads without depth: the last one wins */
     int64_t least[WL_H][WL_W];              /* with depth: least exact depth, 1/65536 unit */
     bool matched[WL_H][WL_W];               /* a triangle of that depth has the colour drawn */
-    uint32_t primitives, pixels;            /* found on the way */
+    uint32_t primitives, pixels;            /* found on the way, of all frames */
 };
 
 #define CHECK_FAR INT64_MAX
@@ -43,6 +43,9 @@ void check_2d(struct check *c, int workload);
 
 /* Triangles: W6..W11. Without depth fills in `expected`, with depth `least` and `matched`. */
 void check_triangles(struct check *c, int workload);
+
+/* W15: false, and says why, if the vertex stage puts a triangle elsewhere; as above otherwise. */
+bool check_torus(struct check *c, uint8_t frame);
 
 /* The triangle over the pixels it covers, in the flat channels (1/65536 step) if not NULL;
  * `pass` 0: expected; 1: least; 2: matched. */

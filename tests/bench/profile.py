@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
-"""profile.py function|insn COUNTS [FUNCTION..]: where a workload's instructions go.
+"""profile.py function|line|insn COUNTS [FUNCTION..]: where a workload's instructions go.
 
 function: instructions, share, calls, instructions a call, per primitive and pixel, M0+ cycles.
-insn:     every executed function (or those named) disassembled, beside each instruction how
-          often it ran, how often its branch was taken, its M0+ cycles and its source line."""
+line:     instructions per source line, inlined code at the line it comes from.
+insn:     the functions that matter (or those named) disassembled, beside each instruction how
+          often it ran, how often its branch was taken, its M0+ cycles and its source line.
+On the host it is callgrind_annotate that shows them."""
 import os
 import re
 import subprocess
@@ -57,20 +59,40 @@ def print_functions(functions, truth, cycles):
               f"{f'{cyc / px:.3f}' if cycles else '':>15}")
 
 
-def print_insns(elf, counts, functions, wanted):
-    lines = {}
-    addresses = sorted(counts)
+def source_lines(elf, addresses):
+    """address -> path:line of the innermost inlined function."""
     found = run(ARM + "addr2line", "-e", elf, stdin="\n".join(f"{a:x}" for a in addresses))
-    for address, place in zip(addresses, found.splitlines()):
-        lines[address] = re.sub(r"\s*\(discriminator.*", "", os.path.basename(place))
+    return {a: re.sub(r"\s*\(discriminator.*", "", place)
+            for a, place in zip(addresses, found.splitlines())}
+
+
+def print_lines(elf, counts, truth):
+    px, prim = int(truth["pixels"]), int(truth["primitives"])
     total = sum(c[0] for c in counts.values())
+    by_line = {}
+    for address, place in source_lines(elf, sorted(counts)).items():
+        by_line[place] = by_line.get(place, 0) + counts[address][0]
+    print(f"{'instructions':>13}{'share':>8}{'/prim':>10}{'/px':>9}")
+    for place, n in sorted(by_line.items(), key=lambda r: -r[1]):
+        path, _, number = place.rpartition(":")
+        if n < total / 500:
+            break
+        text = open(path).read().splitlines()[int(number) - 1].strip() if os.path.exists(path) else ""
+        print(f"{n:13}{100 * n / total:7.2f}%{n / prim:10.1f}{n / px:9.3f}  "
+              f"{os.path.basename(place):26} {text}")
+
+
+def print_insns(elf, counts, functions, wanted):
+    lines = {a: os.path.basename(p) for a, p in source_lines(elf, sorted(counts)).items()}
+    total = sum(c[0] for c in counts.values())
+    wanted = wanted or [f for f, n in functions.items() if n[0] >= total / 100]
     show = False
     for line in run(ARM + "objdump", "-d", "--no-show-raw-insn", elf).splitlines():
         head = re.match(r"[0-9a-f]+ <(.*)>:", line)
         insn = re.match(r"\s*([0-9a-f]+):\t(.*)", line)
         if head:
             name = head[1]
-            show = name in wanted if wanted else name in functions
+            show = name in wanted
             if show and name in functions:
                 n = functions[name][0]
                 print(f"\n{name}: {n} instructions, {100 * n / total:.2f} %")
@@ -88,15 +110,18 @@ def main():
     place = os.path.dirname(path)
     bench, core, work = place.rsplit(os.sep, 2)
     if core.startswith("host"):
-        print(run("callgrind_annotate", "--auto=" + ("yes" if kind == "insn" else "no"),
+        print(run("callgrind_annotate", "--auto=" + ("no" if kind == "function" else "yes"),
                   f"{place}/callgrind.out"))
         return
     words = open(f"{bench}/host-portable/{work}/truth.txt").read().split()
     elf, counts = f"{place}.elf", read_counts(path)
     functions = by_function(counts, symbols(elf))
     print(f"{work.upper()} on {core}")
+    truth = dict(zip(words[::2], words[1::2]))
     if kind == "function":
-        print_functions(functions, dict(zip(words[::2], words[1::2])), core.startswith("m0plus"))
+        print_functions(functions, truth, core.startswith("m0plus"))
+    elif kind == "line":
+        print_lines(elf, counts, truth)
     else:
         print_insns(elf, counts, functions, wanted)
 

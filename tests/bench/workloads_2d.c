@@ -5,9 +5,9 @@
 #include "../../core/raster/circle.h"
 #include "../../core/raster/line.h"
 
-wl_rect bench_rects[WL_NRECT];
-wl_line bench_lines[WL_NLINE];
-wl_circ bench_circles[WL_NCIRC];
+static wl_rect rects[WL_NRECT];
+static wl_line lines[WL_NLINE];
+static wl_circ circles[WL_NCIRC];
 
 static void prepare_nothing(void)
 {
@@ -15,17 +15,17 @@ static void prepare_nothing(void)
 
 static void prepare_rects(void)
 {
-    wl_make_rects(bench_rects);
+    wl_make_rects(rects);
 }
 
 static void prepare_lines(void)
 {
-    wl_make_lines(bench_lines);
+    wl_make_lines(lines);
 }
 
 static void prepare_circles(void)
 {
-    wl_make_circles(bench_circles);
+    wl_make_circles(circles);
 }
 
 static void draw_clear(const struct etch_surface *s, uint8_t frame)
@@ -37,28 +37,28 @@ static void draw_clear(const struct etch_surface *s, uint8_t frame)
 static void draw_rects(const struct etch_surface *s, uint8_t frame)
 {
     (void)frame;
-    for (const wl_rect *p = bench_rects; p < bench_rects + WL_NRECT; p++)
+    for (const wl_rect *p = rects; p < rects + WL_NRECT; p++)
         etch_rect_fill(s, p->x, p->y, p->w, p->h, p->c);
 }
 
 static void draw_lines(const struct etch_surface *s, uint8_t frame)
 {
     (void)frame;
-    for (const wl_line *p = bench_lines; p < bench_lines + WL_NLINE; p++)
+    for (const wl_line *p = lines; p < lines + WL_NLINE; p++)
         etch_line_draw(s, p->x0, p->y0, p->x1, p->y1, p->c);
 }
 
 static void draw_circles(const struct etch_surface *s, uint8_t frame)
 {
     (void)frame;
-    for (const wl_circ *p = bench_circles; p < bench_circles + WL_NCIRC; p++)
+    for (const wl_circ *p = circles; p < circles + WL_NCIRC; p++)
         etch_circle_draw(s, p->x, p->y, p->r, p->c);
 }
 
 static void draw_discs(const struct etch_surface *s, uint8_t frame)
 {
     (void)frame;
-    for (const wl_circ *p = bench_circles; p < bench_circles + WL_NCIRC; p++)
+    for (const wl_circ *p = circles; p < circles + WL_NCIRC; p++)
         etch_circle_fill(s, p->x, p->y, p->r, p->c);
 }
 

@@ -7,14 +7,14 @@
 #include "../../core/fragment/flat.h"
 #include "../../core/fragment/gouraud.h"
 
-wl_tri bench_triangles[WL_NSMALL];
+static wl_tri triangles[WL_NSMALL];
 static struct etch_vertex vertices[WL_NSMALL][3];
 
 static void convert(int n)
 {
     for (int i = 0; i < n; i++)
         for (int k = 0; k < 3; k++) {
-            const wl_tri *t = &bench_triangles[i];
+            const wl_tri *t = &triangles[i];
             struct etch_vertex *v = &vertices[i][k];
 
             v->x_q8 = t->x[k] * 256 + 128;
@@ -29,19 +29,19 @@ static void convert(int n)
 
 static void prepare_small(void)
 {
-    wl_make_small(bench_triangles);
+    wl_make_small(triangles);
     convert(WL_NSMALL);
 }
 
 static void prepare_big(void)
 {
-    wl_make_big(bench_triangles);
+    wl_make_big(triangles);
     convert(WL_NBIG);
 }
 
 static inline void fill(const struct etch_surface *s, int n)
 {
-    for (const wl_tri *t = bench_triangles; t < bench_triangles + n; t++)
+    for (const wl_tri *t = triangles; t < triangles + n; t++)
         etch_triangle_fill(s, t->x[0], t->y[0], t->x[1], t->y[1], t->x[2], t->y[2], t->c[0]);
 }
 
