@@ -89,12 +89,16 @@ $(BENCH)/plugin.so: $(BENCH_SRC)/plugin.c
 	$(CC) -O2 -Wall -Wextra -shared -fPIC $< -o $@
 
 # The check of W15 runs the vertex stage and records its triangles.
-$(BENCH)/check: $(wildcard $(BENCH_SRC)/check*.[ch]) $(BENCH_SRC)/workloads.h \
-    $(BENCH_SRC)/bench.h $(call bench_objects,host-portable,$(BENCH_SRC)/workloads_mesh.c) \
+ifeq ($(wildcard core/draw/mesh*.c),)
+BENCH_CHECK := -Wl,--defsym=check_torus=0
+else
+BENCH_CHECK := $(BENCH_SRC)/check_mesh.c $(call bench_objects,host-portable,$(BENCH_SRC)/workloads_mesh.c)
+endif
+$(BENCH)/check: $(filter-out %_mesh.c,$(wildcard $(BENCH_SRC)/check*.c)) $(BENCH_SRC)/check.h \
+    $(BENCH_SRC)/workloads.h $(BENCH_SRC)/bench.h $(filter-out -%,$(BENCH_CHECK)) \
     $(BENCH)/host-portable/libetch.a
 	@mkdir -p $(@D)
-	$(CC) $(WARN) -O2 -Wl,--gc-sections,--unresolved-symbols=ignore-all \
-	    $(filter %.c %.o %.a,$^) -lm -o $@
+	$(CC) $(WARN) -O2 $(filter %.c %.o %.a,$^) $(filter -%,$(BENCH_CHECK)) -lm -o $@
 
 BENCH_RUNS = $(foreach c,$(CORES),$(foreach n,$(W), \
     $(BENCH)/$(c)-$(if $(filter host,$(c)),portable,$(VARIANT))/w$(n)/counts.txt))
