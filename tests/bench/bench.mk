@@ -36,7 +36,7 @@ bench_objects = $(patsubst %,$(BENCH)/$(1)/%.o,$(basename $(2)))
 # directory. Leaf objects come before the library, so that its members of the same names stay
 # out.
 define bench_core
-$(BENCH)/$(1)-$(2)/%.o: %.c
+$(BENCH)/$(1)-$(2)/%.o: %.c $(BENCH_SRC)/bench.mk
 	@mkdir -p $$(@D)
 	$$(BENCH_CC_$(1)) $$(BENCH_FLAGS) -ffreestanding -c $$< -o $$@
 $(BENCH)/$(1)-$(2)/%.o: %.S
@@ -94,7 +94,7 @@ BENCH_CHECK := -Wl,--defsym=check_torus=0
 else
 BENCH_CHECK := $(BENCH_SRC)/check_mesh.c $(call bench_objects,host-portable,$(BENCH_SRC)/workloads_mesh.c)
 endif
-$(BENCH)/check: $(filter-out %_mesh.c,$(wildcard $(BENCH_SRC)/check*.c)) $(BENCH_SRC)/check.h \
+$(BENCH)/check: $(BENCH_SRC)/bench.mk $(filter-out %_mesh.c,$(wildcard $(BENCH_SRC)/check*.c)) $(BENCH_SRC)/check.h \
     $(BENCH_SRC)/workloads.h $(BENCH_SRC)/bench.h $(filter-out -%,$(BENCH_CHECK)) \
     $(BENCH)/host-portable/libetch.a
 	@mkdir -p $(@D)
