@@ -1,7 +1,7 @@
 /* base/trig.h: integer sine. Angles are 65536ths of a turn, so they wrap by themselves.
  *
  * Exact at quarter turns and odd: sin(-a) = -sin(a), sin(1/2 - a) = sin(a). Nothing is read
- * from a table. Source: Taylor series on the eighth of a turn, in Horner's form.
+ * from a table. Source: Taylor series on the quarter turn, in Horner's form.
  */
 #ifndef ETCH_BASE_TRIG_H
 #define ETCH_BASE_TRIG_H

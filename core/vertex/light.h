@@ -3,8 +3,8 @@
  *      channel = min(255, color * (ambient + sum of diffuse * max(0, N . L)) / 255)
  *
  * N is the model's int8_t normal / 127 (not normalised again: length 127 is 1), L the unit
- * vector towards the light in model space. The result errs by at most 1 from the exact
- * formula with the L given, rounded to nearest.
+ * vector towards the light in model space. With the L given, the result errs from the exact
+ * formula by at most 1/2 + 1/64 for its rounding and 1/32 for each light.
  */
 #ifndef ETCH_VERTEX_LIGHT_H
 #define ETCH_VERTEX_LIGHT_H
@@ -13,8 +13,8 @@
 
 /* One directional light, ready for a draw. */
 struct etch_light {
-    int16_t x_q14, y_q14, z_q14; /* towards the light, in model space, length 2^14 */
-    uint8_t diffuse[3];          /* r, g, b */
+    int16_t x, y, z;    /* towards the light, in model space; length 2^21 / 127 */
+    uint8_t diffuse[3]; /* r, g, b */
 };
 
 struct etch_lighting {

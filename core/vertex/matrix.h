@@ -8,7 +8,8 @@
  * Every entry is rounded once to the nearest 1/65536 from exact products and quotients, unless
  * a function says otherwise. A function that returns a status leaves *m as it was on error:
  *   ETCH_EINVAL  a size of zero, near = far, ..: the transform does not exist;
- *   ETCH_ERANGE  an entry does not fit 16.16 (|entry| >= 32768).
+ *   ETCH_ERANGE  an entry does not fit 16.16 (|entry| >= 32768; projections refuse the last
+ *                unit before it too).
  */
 #ifndef ETCH_VERTEX_MATRIX_H
 #define ETCH_VERTEX_MATRIX_H
@@ -48,7 +49,8 @@ enum etch_status etch_matrix_rotate(struct etch_matrix *m, uint16_t angle,
 
 /* World to eye space: the eye at `eye` looks at `target`, `up` is up on the screen. The 3x3
  * part errs by less than 1/65536 an entry, the last column is rounded from the exact product of
- * that part and `eye`. ETCH_EINVAL: eye = target, or up is zero or parallel to the view;
+ * that part and `eye`. ETCH_EINVAL: eye = target, or up is zero or parallel to the view
+ * (to 2^-26 of a radian; with coordinates beyond 8192 keep up 2^-10 away for the error above).
  * ETCH_ERANGE: the last column. */
 enum etch_status etch_matrix_look_at(struct etch_matrix *m, const struct etch_vector *eye,
                                      const struct etch_vector *target,
@@ -59,8 +61,8 @@ enum etch_status etch_matrix_look_at(struct etch_matrix *m, const struct etch_ve
  * zero or negative, as long as near < far). */
 
 /* `fov`: the vertical angle of view, 1 .. 32767 (half a turn is out of range); `aspect`: width
- * over height of the viewport, positive. The two entries from the angle err by at most
- * 1/65536 + 2^-15 of their size; for an exact one use etch_matrix_perspective_focal. */
+ * over height of the viewport, positive. The focal length, cot(fov / 2), errs by at most
+ * 1/65536 + 2^-15 of its size; the rest is as below. */
 enum etch_status etch_matrix_perspective(struct etch_matrix *m, uint16_t fov, etch_q16 aspect,
                                          etch_q16 near, etch_q16 far);
 
