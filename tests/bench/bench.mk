@@ -5,7 +5,7 @@
 # host's is checked against the slow oracle of check.c, the firmware's must equal the host's.
 # W="6 8" chooses workloads, CORES="m0plus m4 host" where they run.
 
-W       ?= 1 2 3 4 5 6 7 8 9 10 11 $(if $(wildcard core/draw/mesh*.c),15)
+W       ?= 1 2 3 4 5 6 7 8 9 10 11 15
 CORES   ?= m0plus m4 host
 VARIANT ?= portable
 PROFILE ?= function
@@ -89,16 +89,11 @@ $(BENCH)/plugin.so: $(BENCH_SRC)/plugin.c
 	$(CC) -O2 -Wall -Wextra -shared -fPIC $< -o $@
 
 # The check of W15 runs the vertex stage and records its triangles.
-ifeq ($(wildcard core/draw/mesh*.c),)
-BENCH_CHECK := -Wl,--defsym=check_torus=0
-else
-BENCH_CHECK := $(BENCH_SRC)/check_mesh.c $(call bench_objects,host-portable,$(BENCH_SRC)/workloads_mesh.c)
-endif
-$(BENCH)/check: $(BENCH_SRC)/bench.mk $(filter-out %_mesh.c,$(wildcard $(BENCH_SRC)/check*.c)) $(BENCH_SRC)/check.h \
-    $(BENCH_SRC)/workloads.h $(BENCH_SRC)/bench.h $(filter-out -%,$(BENCH_CHECK)) \
+$(BENCH)/check: $(wildcard $(BENCH_SRC)/check*.c) $(wildcard $(BENCH_SRC)/*.h) \
+    $(call bench_objects,host-portable,$(BENCH_SRC)/workloads_mesh.c) \
     $(BENCH)/host-portable/libetch.a
 	@mkdir -p $(@D)
-	$(CC) $(WARN) -O2 $(filter %.c %.o %.a,$^) $(filter -%,$(BENCH_CHECK)) -lm -o $@
+	$(CC) $(WARN) -O2 $(filter %.c %.o %.a,$^) -lm -o $@
 
 BENCH_RUNS = $(foreach c,$(CORES),$(foreach n,$(W), \
     $(BENCH)/$(c)-$(if $(filter host,$(c)),portable,$(VARIANT))/w$(n)/counts.txt))
@@ -115,11 +110,16 @@ bench-diff: bench ## what a change made better or worse; fails on more than 2 % 
 bench-baseline: bench ## takes today's figures as the baseline of bench-diff
 	cp $(BUILD)/bench.csv $(BENCH_SRC)/baseline.csv
 
+.PHONY: bench-selftest
+bench-selftest: ## proves that the bench refuses wrong pictures and counts right
+	@$(MAKE) --no-print-directory bench W="8 11" CORES=m0plus >/dev/null
+	@sh $(BENCH_SRC)/selftest.sh $(BENCH)
+
 .PHONY: profile
 profile: $(BENCH_RUNS) ## instructions per function (W=6 CORES=m0plus; PROFILE=line, PROFILE=insn)
 	@for c in $^; do python3 $(BENCH_SRC)/profile.py $(PROFILE) $$c $(FUNCTION); done
 
-# ---- size: programs for Cortex-M0+ at -Os, linked with all they pull in ----------------------------
+# ---- size: programs for Cortex-M0+ at -Os, linked with all they pull in ----------------------
 
 SIZE          := $(BENCH)/size
 SIZE_PROGRAMS := $(patsubst $(BENCH_SRC)/size/%.c,%, \
@@ -129,7 +129,7 @@ SIZE_FLAGS     = $(WARN) -Os -g -ffreestanding -ffunction-sections -fdata-sectio
 SIZE_ENFORCE  ?=
 SIZE_OPTIONS  ?=
 
-$(SIZE)/%.o: %.c
+$(SIZE)/%.o: %.c $(BENCH_SRC)/bench.mk
 	@mkdir -p $(@D)
 	$(BENCH_CC_m0plus) $(SIZE_FLAGS) -c $< -o $@
 $(SIZE)/libetch.a: $(BENCH_LIB:%.c=$(SIZE)/%.o) $(SIZE)/$(BENCH_SRC)/size/memory.o
@@ -138,9 +138,16 @@ $(SIZE)/libetch.a: $(BENCH_LIB:%.c=$(SIZE)/%.o) $(SIZE)/$(BENCH_SRC)/size/memory
 $(SIZE)/%.elf: $(SIZE)/$(BENCH_SRC)/size/%.o $(SIZE)/libetch.a linker/size.ld
 	@$(BENCH_CC_m0plus) -nostdlib -Wl,--gc-sections -T linker/size.ld $(filter %.o %.a,$^) -lgcc -o $@
 .SECONDARY: $(BENCH_LIB:%.c=$(SIZE)/%.o)
--include $(shell find $(SIZE) -name '*.d' 2>/dev/null)
+-include $(BENCH_LIB:%.c=$(SIZE)/%.d) $(SIZE_PROGRAMS:%=$(SIZE)/$(BENCH_SRC)/size/%.d)
 
 .PHONY: size
 size: $(SIZE_ELFS) ## flash of small programs against their budgets (SIZE_OPTIONS=--symbols)
 	@python3 $(BENCH_SRC)/size.py $(BENCH_SRC)/size/budgets.csv $(SIZE_OPTIONS) \
 	    --enforce "$(SIZE_ENFORCE)" -- $^
+
+# The tables into a document that has the lines <!-- bench --> <!-- /bench -->, same for size.
+DOC ?= README.md
+.PHONY: bench-write
+bench-write: bench size ## writes the tables of bench and size into DOC=README.md
+	@python3 $(BENCH_SRC)/insert.py $(DOC) bench $(BUILD)/bench.md
+	@python3 $(BENCH_SRC)/insert.py $(DOC) size $(BUILD)/size.md

@@ -24,8 +24,9 @@ def main():
             continue
         change = 100 * (new[key] / before - 1) if before else 0
         if abs(change) >= 0.05:
-            print(f"{key[0]:4} {key[1]:7} {key[2]:9} {key[3]:18} {before:14.3f} -> {new[key]:14.3f} "
-                  f"{change:+7.2f} %  {'better' if change < 0 else 'WORSE' if change > 2 else 'worse'}")
+            word = "better" if change < 0 else "WORSE" if change > 2 else "worse"
+            print(f"{key[0]:4} {key[1]:7} {key[2]:9} {key[3]:18} {before:14.3f} -> "
+                  f"{new[key]:14.3f} {change:+7.2f} %  {word}")
         worse += change > 2
     for key in new.keys() - old.keys():
         print(f"{' '.join(key)}: new, {new[key]:.3f}")

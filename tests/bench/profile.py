@@ -8,6 +8,7 @@ insn:     the functions that matter (or those named) disassembled, beside each i
 On the host it is callgrind_annotate that shows them."""
 import os
 import re
+import signal
 import subprocess
 import sys
 
@@ -52,7 +53,8 @@ def print_functions(functions, truth, cycles):
     px, prim = int(truth["pixels"]), int(truth["primitives"])
     print(f"{'function':36}{'instructions':>13}{'share':>8}{'calls':>10}{'a call':>10}"
           f"{'/prim':>10}{'/px':>9}{'M0+ cycles/px' if cycles else '':>15}")
-    rows = sorted(functions.items(), key=lambda r: -r[1][0]) + [("total", [total, 0, sum(f[2] for f in functions.values())])]
+    rows = sorted(functions.items(), key=lambda r: -r[1][0])
+    rows.append(("total", [total, 0, sum(f[2] for f in functions.values())]))
     for name, (n, calls, cyc) in rows:
         print(f"{name:36}{n:13}{100 * n / total:7.2f}%{calls or '':>10}"
               f"{f'{n / calls:.1f}' if calls else '':>10}{n / prim:10.1f}{n / px:9.3f}"
@@ -77,7 +79,9 @@ def print_lines(elf, counts, truth):
         path, _, number = place.rpartition(":")
         if n < total / 500:
             break
-        text = open(path).read().splitlines()[int(number) - 1].strip() if os.path.exists(path) else ""
+        text = ""
+        if os.path.exists(path):
+            text = open(path).read().splitlines()[int(number) - 1].strip()
         print(f"{n:13}{100 * n / total:7.2f}%{n / prim:10.1f}{n / px:9.3f}  "
               f"{os.path.basename(place):26} {text}")
 
@@ -126,4 +130,5 @@ def main():
         print_insns(elf, counts, functions, wanted)
 
 
+signal.signal(signal.SIGPIPE, signal.SIG_DFL)
 main()
