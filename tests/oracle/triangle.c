@@ -51,3 +51,18 @@ bool oracle_triangle_covers(const struct oracle_triangle *t, int32_t x, int32_t 
     }
     return true;
 }
+
+/* Each edge function is the weight of the vertex opposite to it, times the area. */
+struct wide oracle_triangle_value(const struct oracle_triangle *t, int32_t x, int32_t y,
+                                  const uint32_t value[3])
+{
+    struct wide sum = {0, 0};
+    int i;
+
+    for (i = 0; i < 3; i++) {
+        const int64_t weight = oracle_triangle_edge(t, i, x, y);
+
+        sum = wide_sum(sum, wide_product((uint64_t)weight, value[t->from[i]]));
+    }
+    return sum;
+}

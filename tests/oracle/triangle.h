@@ -6,6 +6,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "wide.h"
+
 /* Vertices in 1/256 px, -2^23 .. 2^23, turned so that they run clockwise as seen (y down). */
 struct oracle_triangle {
     int32_t x[3], y[3];
@@ -21,5 +23,10 @@ int64_t oracle_triangle_edge(const struct oracle_triangle *t, int i, int32_t x, 
 
 /* True iff the centre of pixel (x, y) is inside the triangle or on a top or left edge. */
 bool oracle_triangle_covers(const struct oracle_triangle *t, int32_t x, int32_t y);
+
+/* Interpolation: `area` times the exact value at the centre of a covered pixel, of a varying that
+ * is value[i] at the caller's vertex i. */
+struct wide oracle_triangle_value(const struct oracle_triangle *t, int32_t x, int32_t y,
+                                  const uint32_t value[3]);
 
 #endif
