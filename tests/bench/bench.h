@@ -27,7 +27,7 @@ void bench_torus_draw(uint8_t frame, struct etch_sink *sink);
 
 #define BENCH_CLEAR_COLOR 0x8410 /* what W1 draws; all others draw on 0 */
 
-/* Given by start.c or host.c: appends to a file that was created empty. */
+/* Given by start.c or host.c: a new file. */
 void bench_write(const char *name, const void *data, uint32_t bytes);
 
 #endif

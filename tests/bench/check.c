@@ -1,6 +1,6 @@
 /* bench/check.c: is a workload's picture right?
  *
- *      check WORKLOAD DIR      reads DIR/frame.565 and, if there, DIR/frame.z16
+ *      check WORKLOAD DIR      reads DIR/frameN.565 and, if there, frameN.z16, N = 0 ..
  *
  * Prints "primitives N pixels N frames N" (pixels: covered, summed over primitives, the unit of the
  * table) if it is; otherwise says where it is wrong on stderr and ends with status 1.
@@ -13,18 +13,17 @@
 static struct check c;
 
 /* A plane of the machine's own words, that of the given frame, or NULL if there is none. */
-static const uint16_t *read_plane(const char *dir, const char *name, int frame)
+static const uint16_t *read_plane(const char *dir, const char *kind, int frame)
 {
     const size_t n = WL_W * WL_H;
     uint16_t *plane = malloc(n * sizeof *plane);
     char path[4096];
 
-    snprintf(path, sizeof path, "%s/%s", dir, name);
+    snprintf(path, sizeof path, "%s/frame%d.%s", dir, frame, kind);
     FILE *f = fopen(path, "rb");
     if (f == NULL)
         return NULL;
-    if (plane == NULL || fseek(f, frame * (long)(n * sizeof *plane), SEEK_SET) != 0 ||
-        fread(plane, sizeof *plane, n, f) != n) {
+    if (plane == NULL || fread(plane, sizeof *plane, n, f) != n) {
         fprintf(stderr, "%s: too short\n", path);
         exit(1);
     }
@@ -87,8 +86,8 @@ int main(int argc, char **argv)
     if (workload == 0)
         return fprintf(stderr, "usage: check WORKLOAD DIR\n"), 2;
     for (uint8_t frame = 0; frame < frames; frame++) {
-        c.color = read_plane(argv[2], "frame.565", frame);
-        c.depth = read_plane(argv[2], "frame.z16", frame);
+        c.color = read_plane(argv[2], "565", frame);
+        c.depth = read_plane(argv[2], "z16", frame);
         if (c.color == NULL)
             return fprintf(stderr, "W%d: no picture\n", workload), 1;
         const int wrong = expect(workload, frame) ? compare(workload) : WL_W * WL_H;

@@ -6,7 +6,7 @@
 
 void bench_write(const char *name, const void *data, uint32_t bytes)
 {
-    FILE *f = fopen(name, "ab");
+    FILE *f = fopen(name, "wb");
 
     if (f == NULL || fwrite(data, 1, bytes, f) != bytes || fclose(f) != 0) {
         perror(name);

@@ -28,6 +28,7 @@ __attribute__((noinline)) void bench_counted(const struct etch_surface *s, uint8
 int main(void)
 {
     const struct etch_rect window = {0, 0, WL_W, WL_H};
+    char color_name[] = "frame0.565", depth_name[] = "frame0.z16";
     struct etch_surface s;
 
     if (etch_surface_init(&s, (uint16_t *)color, window, WL_W) != ETCH_OK)
@@ -41,9 +42,10 @@ int main(void)
             depth[i] = 0xFFFFFFFF;
         }
         bench_counted(&s, frame);
-        bench_write("frame.565", color, sizeof color);
+        color_name[5] = depth_name[5] = (char)('0' + frame);
+        bench_write(color_name, color, sizeof color);
         if (THE_WORKLOAD.depth)
-            bench_write("frame.z16", depth, sizeof depth);
+            bench_write(depth_name, depth, sizeof depth);
     }
     return 0;
 }

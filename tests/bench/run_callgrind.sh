@@ -7,7 +7,7 @@ scratch=$2/scratch
 rm -rf "$scratch" && mkdir -p "$scratch"
 (cd "$scratch" && valgrind -q --tool=callgrind --toggle-collect=bench_counted \
     --dump-instr=yes --callgrind-out-file=../callgrind.out "$program" >../valgrind.log 2>&1)
-cmp "$2/frame.565" "$scratch/frame.565"
+cmp "$2/frame0.565" "$scratch/frame0.565"
 rm -r "$scratch"
 awk '$1 == "totals:" || $1 == "summary:" { n = $2 } END { print n }' "$2/callgrind.out" \
     >"$2/counts.txt"

@@ -15,13 +15,13 @@ run() { # run ELF COUNTS [OPTION]
     QEMU_AUDIO_DRV=none timeout 300 qemu-system-arm -M mps2-an385 ${3:-} -display none \
         -monitor none -serial none -semihosting-config enable=on,target=native \
         -plugin "$bench"/plugin.so,out="$2" -kernel "$1"
-    rm -f frame.*
+    rm -f frame*
 }
 sum() { awk '{ n += $2; c += $4 } END { print n, c }' "$1"; }
 
-for spoil in 8/frame.565 11/frame.z16 11/frame.565; do
+for spoil in 8/frame0.565 11/frame0.z16 11/frame0.565; do
     n=${spoil%/*} plane=${spoil#*/}
-    rm -rf copy && mkdir copy && cp "$bench/host-portable/w$n"/frame.* copy
+    rm -rf copy && mkdir copy && cp "$bench/host-portable/w$n"/frame* copy
     # A row of 320 pixels, each one step of blue or depth off. Some 3 in 100 lie so near to a
     # half that both steps are within the bound of the contract.
     python3 - "copy/$plane" <<'END'

@@ -19,7 +19,7 @@ static int32_t semihost(int32_t operation, const void *argument)
 }
 
 enum { SYS_OPEN = 1, SYS_CLOSE = 2, SYS_WRITE = 5, SYS_EXIT_EXTENDED = 0x20 };
-enum { MODE_APPEND_BINARY = 9 };
+enum { MODE_WRITE_BINARY = 5 };
 
 void bench_write(const char *name, const void *data, uint32_t bytes)
 {
@@ -27,7 +27,7 @@ void bench_write(const char *name, const void *data, uint32_t bytes)
 
     while (name[length] != 0)
         length++;
-    const uint32_t open[3] = {(uint32_t)(uintptr_t)name, MODE_APPEND_BINARY, length};
+    const uint32_t open[3] = {(uint32_t)(uintptr_t)name, MODE_WRITE_BINARY, length};
     const int32_t file = semihost(SYS_OPEN, open);
     const uint32_t write[3] = {(uint32_t)file, (uint32_t)(uintptr_t)data, bytes};
     (void)semihost(SYS_WRITE, write);

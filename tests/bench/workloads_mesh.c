@@ -55,8 +55,10 @@ void bench_torus_draw(uint8_t frame, struct etch_sink *sink)
     model_to_eye(&eye, frame);
     (void)etch_matrix_perspective_focal(&clip, ETCH_Q16(2 * WL_FOCAL, WL_H), ETCH_Q16(WL_W, WL_H),
                                         WL_NEAR * ETCH_Q16_ONE, WL_FAR * ETCH_Q16_ONE);
-    clip.m[0][2] = -ETCH_Q16(1, WL_W); /* the workload has pixel centres on the integers: */
-    clip.m[1][2] = ETCH_Q16(1, WL_H);  /* half a pixel right and down, times w = -z */
+    /* The workload has pixel centres on the integers: half a pixel right and down, times
+     * w = -z, rounded. */
+    clip.m[0][2] = -(ETCH_Q16(2, WL_W) + 1) / 2;
+    clip.m[1][2] = (ETCH_Q16(2, WL_H) + 1) / 2;
     (void)etch_matrix_multiply(&clip, &clip, &eye);
     etch_mesh_stage_init(&stage, &torus, &clip, etch_vertex_plain, NULL);
     (void)etch_mesh_draw(&stage, &assembly, buffer, WL_TORUS_NV);
