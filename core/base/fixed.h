@@ -64,6 +64,40 @@ ETCH_INLINE int64_t etch_mul_s32(int32_t a, int32_t b)
     return (int64_t)a * b;
 }
 
+#if defined(__ARM_ARCH_6M__) || defined(__AVR__)
+/* No 32 x 32 -> 64 multiply: four products of halves, and no carry lost. a = ah 2^16 + al,
+ * b = bh 2^16 + bl, 0 <= bh < 2^15: |ah bl| + (al bl >> 16) < 2^31 and al bh + 2^16 < 2^31. */
+ETCH_INLINE int32_t etch_mul_high(int32_t a, int32_t b)
+{
+    const int32_t ah = a >> 16, al = a & 0xFFFF, bh = b >> 16, bl = b & 0xFFFF;
+    const int32_t middle = ah * bl + (int32_t)((uint32_t)al * (uint32_t)bl >> 16);
+
+    return ah * bh + (middle >> 16) + ((al * bh + (middle & 0xFFFF)) >> 16);
+}
+#else
+/* The upper half of the product, rounded down; b >= 0. The same on every core. */
+ETCH_INLINE int32_t etch_mul_high(int32_t a, int32_t b)
+{
+    return (int32_t)(etch_mul_s32(a, b) >> 32);
+}
+#endif
+
+/* Leading zero bits of v; 32 for 0. */
+ETCH_INLINE uint8_t etch_leading_zeros(uint32_t v)
+{
+    uint8_t n = 0;
+
+    if (v == 0)
+        return 32;
+    for (uint8_t step = 16; step != 0; step >>= 1) {
+        if (v >> (32 - step) == 0) {
+            v <<= step;
+            n = (uint8_t)(n + step);
+        }
+    }
+    return n;
+}
+
 /* ---- arithmetic modulo 2^32, by intent ------------------------------------------------ */
 
 ETCH_INLINE uint32_t etch_wrap_add(uint32_t a, uint32_t b)
@@ -79,6 +113,12 @@ ETCH_INLINE uint32_t etch_wrap_sub(uint32_t a, uint32_t b)
 ETCH_INLINE uint32_t etch_wrap_mul(uint32_t a, uint32_t b)
 {
     return a * b;
+}
+
+/* v 2^s, modulo 2^32 to the left and rounded to nearest to the right; s = -31 .. 31. */
+ETCH_INLINE uint32_t etch_wrap_scale(int32_t v, int8_t s)
+{
+    return s >= 0 ? (uint32_t)v << s : (uint32_t)(v >> -s) + (uint32_t)(v >> (-s - 1) & 1);
 }
 
 /* ---- 16.16 ---------------------------------------------------------------------------- */

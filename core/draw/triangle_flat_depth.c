@@ -9,12 +9,15 @@ static void flat_depth(const struct etch_surface *s, const struct etch_vertex *c
 {
     struct etch_flat_depth_paint paint;
     struct etch_triangle t;
+    struct etch_basis b;
 
     if (!setup_visible(&t, s, v))
         return;
+    const struct etch_basis *const basis = etch_basis_setup(&b, &t) ? &b : NULL;
+
     paint.paint.kernel = kernel;
     paint.color = color;
-    setup_depth(&paint.z, &t, v);
+    setup_depth(&paint.z, &t, basis, v);
     etch_triangle_runs(s, &t, &paint.paint);
 }
 

@@ -8,10 +8,13 @@ void etch_triangle_gouraud(const struct etch_surface *s, const struct etch_verte
 {
     struct etch_gouraud_paint paint;
     struct etch_triangle t;
+    struct etch_basis b;
 
     if (!setup_visible(&t, s, v))
         return;
+    const struct etch_basis *const basis = etch_basis_setup(&b, &t) ? &b : NULL;
+
     paint.paint.kernel = kernel;
-    setup_color(&paint.r, &paint.g, &paint.b, &t, v);
+    setup_color(&paint, &t, basis, v);
     etch_triangle_runs(s, &t, &paint.paint);
 }

@@ -8,11 +8,14 @@ void etch_triangle_gouraud_depth(const struct etch_surface *s,
 {
     struct etch_gouraud_paint paint;
     struct etch_triangle t;
+    struct etch_basis b;
 
     if (!setup_visible(&t, s, v))
         return;
+    const struct etch_basis *const basis = etch_basis_setup(&b, &t) ? &b : NULL;
+
     paint.paint.kernel = kernel;
-    setup_depth(&paint.z, &t, v);
-    setup_color(&paint.r, &paint.g, &paint.b, &t, v);
+    setup_depth(&paint.z, &t, basis, v);
+    setup_color(&paint, &t, basis, v);
     etch_triangle_runs(s, &t, &paint.paint);
 }

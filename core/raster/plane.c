@@ -87,7 +87,7 @@ void etch_plane_setup(struct etch_plane *plane, const struct etch_triangle *t,
 
     const int32_t x1 = t->p[1].x - t->p[0].x, y1 = t->p[1].y - t->p[0].y;
     const int32_t x2 = t->p[2].x - t->p[0].x, y2 = t->p[2].y - t->p[0].y;
-    const uint64_t d = etch_triangle_area(t);
+    const uint64_t d = t->area;
     const struct slope sx = slope_of(t->side * (v1 * y2 - v2 * y1), d);
     const struct slope sy = slope_of(t->side * (v2 * x1 - v1 * x2), d);
     struct slope ox = times(sx, 128 - t->p[0].x, d); /* from p[0] to the centre of (0, 0) */

@@ -8,6 +8,7 @@
 #ifndef ETCH_RASTER_PLANE_H
 #define ETCH_RASTER_PLANE_H
 
+#include "../base/sink.h"
 #include "triangle.h"
 
 /* The plane through value[i] at the caller's vertex i of `t`; values are unsigned 32-bit in
@@ -29,5 +30,11 @@ ETCH_INLINE uint32_t etch_depth_q16(uint32_t z_q16)
 {
     return (z_q16 > UINT32_C(0xFFFF0000) ? UINT32_C(0xFFFF0000) : z_q16) + 0x8000;
 }
+
+/* The exact planes of the colours, and of the depths, of the caller's vertices. */
+void etch_plane_color(const struct etch_triangle *t, const struct etch_vertex *const v[3],
+                      struct etch_plane *red, struct etch_plane *green, struct etch_plane *blue);
+void etch_plane_depth(const struct etch_triangle *t, const struct etch_vertex *const v[3],
+                      struct etch_plane *z);
 
 #endif

@@ -39,14 +39,9 @@ static int64_t doubled_area(const struct etch_triangle *t)
     const int32_t x1 = t->p[1].x - t->p[0].x, y1 = t->p[1].y - t->p[0].y;
     const int32_t x2 = t->p[2].x - t->p[0].x, y2 = t->p[2].y - t->p[0].y;
 
+    if (t->most - t->least < INT32_C(1) << 15 && y2 < INT32_C(1) << 15) /* 128 px: products below 2^30 */
+        return x1 * y2 - x2 * y1;
     return etch_mul_s32(x1, y2) - etch_mul_s32(x2, y1);
-}
-
-uint64_t etch_triangle_area(const struct etch_triangle *t)
-{
-    const int64_t area = doubled_area(t);
-
-    return area < 0 ? (uint64_t)-area : (uint64_t)area;
 }
 
 /* The first row whose centre is at or below y. */
@@ -55,6 +50,16 @@ static int16_t row_of(int32_t y_q8)
     const int32_t row = (y_q8 + 127) >> 8;
 
     return row < INT16_MAX ? (int16_t)row : INT16_MAX; /* no surface has row 32767 */
+}
+
+static void bounds(struct etch_triangle *t)
+{
+    const int32_t ax = t->p[0].x, bx = t->p[1].x, cx = t->p[2].x;
+
+    t->least = ax < bx ? (ax < cx ? ax : cx) : bx < cx ? bx : cx;
+    t->most = ax > bx ? (ax > cx ? ax : cx) : bx > cx ? bx : cx;
+    t->y0 = row_of(t->p[0].y);
+    t->y1 = row_of(t->p[2].y);
 }
 
 bool etch_triangle_setup(struct etch_triangle *t, const struct etch_point_q8 v[3])
@@ -70,23 +75,20 @@ bool etch_triangle_setup(struct etch_triangle *t, const struct etch_point_q8 v[3
             exchange(t, 0, 1);
     }
 
+    bounds(t);
+
     const int64_t area = doubled_area(t);
 
+    t->area = area < 0 ? (uint64_t)-area : (uint64_t)area;
     t->side = area > 0 ? 1 : -1;
     t->winding = (int8_t)(t->winding * t->side);
-    t->y0 = row_of(t->p[0].y);
-    t->y1 = row_of(t->p[2].y);
     return area != 0;
 }
 
 bool etch_triangle_is_visible(const struct etch_triangle *t, struct etch_rect clip)
 {
-    const int32_t ax = t->p[0].x, bx = t->p[1].x, cx = t->p[2].x;
-    const int32_t least = ax < bx ? (ax < cx ? ax : cx) : bx < cx ? bx : cx;
-    const int32_t most = ax > bx ? (ax > cx ? ax : cx) : bx > cx ? bx : cx;
-
-    return t->y0 < clip.y1 && t->y1 > clip.y0 && t->y0 < t->y1 && (least + 127) >> 8 < clip.x1 &&
-           (most + 127) >> 8 > clip.x0;
+    return t->y0 < clip.y1 && t->y1 > clip.y0 && t->y0 < t->y1 &&
+           (t->least + 127) >> 8 < clip.x1 && (t->most + 127) >> 8 > clip.x0;
 }
 
 /* *n becomes the remainder 0 .. d - 1, the result is the floored quotient. Quotients of edges

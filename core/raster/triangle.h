@@ -23,6 +23,8 @@ struct etch_triangle {
     int8_t winding;            /* as the caller ordered it, as seen: +1 clockwise, -1 counter-
                                   clockwise */
     int16_t y0, y1;            /* rows whose centres the triangle spans, y0 <= y < y1 */
+    int32_t least, most;       /* of the x of p */
+    uint64_t area;             /* twice the area in (1/256 px)^2, 1 .. 2^48 */
 };
 
 /* Sorts and classifies a triangle. False if it has no area (then nothing is to be drawn and
@@ -32,9 +34,6 @@ bool etch_triangle_setup(struct etch_triangle *t, const struct etch_point_q8 v[3
 /* Whether the rows and columns that the triangle spans meet `clip`: a quick test before planes
  * are set up. */
 bool etch_triangle_is_visible(const struct etch_triangle *t, struct etch_rect clip);
-
-/* Twice the area in (1/256 px)^2, positive, at most 2^48. */
-uint64_t etch_triangle_area(const struct etch_triangle *t);
 
 /* Hands the runs of `t` inside surface->clip to `paint`. Cost: set-up of two or three edges,
  * then about 8 instructions (ARMv6-M) per edge and visible row; nothing for rows and columns
