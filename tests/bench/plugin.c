@@ -42,7 +42,6 @@ size_t qemu_plugin_tb_n_insns(const struct qemu_plugin_tb *);
 struct qemu_plugin_insn *qemu_plugin_tb_get_insn(const struct qemu_plugin_tb *, size_t);
 uint64_t qemu_plugin_insn_vaddr(const struct qemu_plugin_insn *);
 const void *qemu_plugin_insn_data(const struct qemu_plugin_insn *);
-size_t qemu_plugin_insn_size(const struct qemu_plugin_insn *);
 const char *qemu_plugin_insn_symbol(const struct qemu_plugin_insn *);
 EXPORT int qemu_plugin_version = 1;
 EXPORT int qemu_plugin_install(qemu_plugin_id_t, const qemu_info_t *, int, char **);
@@ -54,12 +53,19 @@ static bool is_conditional(uint16_t op)
     return op >> 12 == 0xD && (op >> 8 & 15) < 14;
 }
 
+/* From the first halfword. (QEMU 7.2 gives 4 for a short one at the end of a page, because it
+ * looks ahead.) */
+static unsigned size_of(uint16_t op)
+{
+    return op >> 11 >= 0x1D ? 4 : 2;
+}
+
 /* Cycles of a Thumb instruction, a conditional branch as not taken. */
-static unsigned cycles_of(uint16_t op, size_t size)
+static unsigned cycles_of(uint16_t op)
 {
     const unsigned registers = (unsigned)__builtin_popcount(op & 0xFF);
 
-    if (size == 4) /* on ARMv6-M: bl, or msr mrs dmb dsb isb */
+    if (size_of(op) == 4) /* on ARMv6-M: bl, or msr mrs dmb dsb isb */
         return 3;
     if (op >> 11 == 0x09 || (op >> 12 >= 5 && op >> 12 <= 9)) /* literal, register, immediate, sp */
         return 2;
@@ -142,9 +148,9 @@ static void translate(qemu_plugin_id_t id, struct qemu_plugin_tb *tb)
 
         memcpy(&op, qemu_plugin_insn_data(insn), sizeof op);
         b->insn[i].address = (uint32_t)qemu_plugin_insn_vaddr(insn);
-        b->insn[i].cycles = (uint8_t)cycles_of(op, qemu_plugin_insn_size(insn));
+        b->insn[i].cycles = (uint8_t)cycles_of(op);
         b->insn[i].conditional = is_conditional(op);
-        b->end = b->insn[i].address + qemu_plugin_insn_size(insn);
+        b->end = b->insn[i].address + size_of(op);
         if (i == 0 && symbol != NULL)
             b->marker = marker_of(symbol, b->insn[0].address);
     }
