@@ -1,0 +1,36 @@
+/* ports/host/obj_parts.h: what obj.c reads and obj_mesh.c builds from; no part of the API. */
+#ifndef ETCH_HOST_OBJ_PARTS_H
+#define ETCH_HOST_OBJ_PARTS_H
+
+#include "obj.h"
+
+#define OBJ_MAX_TRIANGLES 65535
+#define OBJ_NO_NORMAL UINT32_MAX
+
+/* A position or normal as it was written. */
+struct obj_vector {
+    struct etch_decimal c[3];
+};
+
+/* A corner of a triangle: places in the lists below, from 0. */
+struct obj_corner {
+    uint32_t v, vn; /* vn may be OBJ_NO_NORMAL */
+};
+
+/* What the file says. */
+struct obj_file {
+    struct etch_text text;
+    struct obj_vector *v, *vn;
+    struct obj_corner *corner; /* three per triangle */
+    size_t v_count, v_capacity, vn_count, vn_capacity, vt_count;
+    size_t corner_count, corner_capacity;
+};
+
+/* Builds the mesh. False, with an error set, if it does not fit its types or memory ran out;
+ * obj may then hold some of its memory, for etch_obj_close. */
+bool obj_build(struct etch_obj *obj, const struct obj_file *file);
+
+/* Brings a vector to length 127, rounded; zero stays zero. |components| < 2^62. */
+void obj_normalise(const int64_t n[3], int8_t out[3]);
+
+#endif

@@ -1,0 +1,73 @@
+/* ports/host/report.c: prints --stats and --needs. etch-sim calls it. */
+#include "report.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "scene_steps.h"
+
+void etch_report_stats(const struct etch_simulation *s)
+{
+    const struct etch_screen *screen = &s->screen;
+
+    (void)printf("size       %d x %d\n", s->scene->width, s->scene->height);
+    (void)printf("port       %s, %s\n", s->port,
+                 screen->buffers == 0   ? "drawn into directly"
+                 : screen->buffers == 1 ? "strips from one buffer"
+                                        : "strips from two buffers");
+    (void)printf("triangles  %" PRIu64 "\n", s->stats.triangles);
+    (void)printf("runs       %" PRIu64 "\n", s->stats.runs);
+    (void)printf("pixels     %" PRIu64 "\n", s->stats.pixels);
+    (void)printf("flushed    %" PRIu64 " bytes in %" PRIu64 " transfers\n", screen->bytes,
+                 screen->flushes);
+    (void)printf("bus        none: this port has no bus to time\n");
+    (void)printf("ram        %" PRIu64 " bytes: colour %" PRIu64 ", depth %" PRIu64
+                 ", vertices %zu\n",
+                 s->color_bytes + s->depth_bytes + s->scene->vertex_bytes, s->color_bytes,
+                 s->depth_bytes, s->scene->vertex_bytes);
+}
+
+/* Prints a name unless an earlier step has it too. */
+static const char *needs_of(const struct etch_scene *scene, const struct etch_scene_step *step,
+                            int what)
+{
+    return what == 0                ? step->statement->needs
+           : step->pipeline == NULL ? NULL
+                                    : step->pipeline->name[scene->format];
+}
+
+static void print_names(const struct etch_scene *scene, const char *title, int what)
+{
+    const char *seen[256];
+    size_t n = 0;
+
+    (void)printf("%s", title);
+    for (size_t i = 0; i < scene->count; i++) {
+        const char *name = needs_of(scene, &scene->step[i], what);
+        size_t k = 0;
+
+        while (name != NULL && k < n && seen[k] != name) {
+            k++;
+        }
+        if (name != NULL && k == n && n < sizeof seen / sizeof seen[0]) {
+            seen[n++] = name;
+            (void)printf(" %s", name);
+        }
+    }
+    (void)printf("%s\n", n == 0 ? " none" : "");
+}
+
+void etch_report_needs(const struct etch_scene *scene, int16_t rows, bool keeps_depth)
+{
+    const bool depth = scene->uses_depth || keeps_depth;
+    const uint64_t plane = (uint64_t)rows * (uint64_t)scene->width * sizeof(uint16_t);
+
+    print_names(scene, "functions ", 0);
+    print_names(scene, "kernels   ", 1);
+    (void)printf("planes     colour%s\n", depth ? ", depth" : "");
+    (void)printf("ram        %" PRIu64 " bytes a colour buffer of %d rows, one or two of them; "
+                 "depth %" PRIu64 "; vertices %zu\n",
+                 plane, rows, depth ? plane : 0, scene->vertex_bytes);
+    (void)printf("flash      not measured by this command\n");
+}

@@ -1,0 +1,13 @@
+/* ports/host/report.h: what etch-sim prints about a frame, to stdout, `name value` a line. */
+#ifndef ETCH_HOST_REPORT_H
+#define ETCH_HOST_REPORT_H
+
+#include "simulate.h"
+
+/* --stats: what drawing this frame took. */
+void etch_report_stats(const struct etch_simulation *simulation);
+
+/* --needs: what a program that draws this scene in strips of `rows` rows links and holds. */
+void etch_report_needs(const struct etch_scene *scene, int16_t rows, bool keeps_depth);
+
+#endif

@@ -1,0 +1,168 @@
+/* ports/host/scene.c: opens and closes scenes; hands each line to its statement. etch-sim and
+ * the tests call it. */
+#include "scene.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "array.h"
+#include "scene_steps.h"
+
+struct etch_scene_step *etch_scene_append(struct etch_scene_reader *reader,
+                                          const struct etch_scene_statement *statement)
+{
+    struct etch_scene *scene = reader->scene;
+    struct etch_scene_step *step;
+    void *steps = scene->step;
+
+    if (!etch_array_grow(&steps, &scene->capacity, scene->count, sizeof *step)) {
+        (void)etch_text_fail(&reader->text, "out of memory");
+        return NULL;
+    }
+    scene->step = steps;
+    step = &scene->step[scene->count++];
+    memset(step, 0, sizeof *step);
+    step->statement = statement;
+    return step;
+}
+
+bool etch_scene_read_byte(struct etch_scene_reader *reader, const char *name, uint8_t *value)
+{
+    int64_t number;
+
+    if (!etch_text_integer(&reader->text, name, 0, 255, &number)) {
+        return false;
+    }
+    *value = (uint8_t)number;
+    return true;
+}
+
+bool etch_scene_read_rgb(struct etch_scene_reader *reader, uint8_t rgb[3])
+{
+    return etch_scene_read_byte(reader, "r", &rgb[0]) &&
+           etch_scene_read_byte(reader, "g", &rgb[1]) &&
+           etch_scene_read_byte(reader, "b", &rgb[2]);
+}
+
+bool etch_scene_take(struct etch_scene_reader *reader, const char *name)
+{
+    struct etch_text ahead = reader->text;
+    struct etch_word word;
+
+    if (!etch_text_more(&ahead) || !etch_text_word(&ahead, name, &word) ||
+        !etch_word_is(word, name)) {
+        return false;
+    }
+    reader->text = ahead;
+    return true;
+}
+
+char *etch_scene_path(struct etch_scene_reader *reader, struct etch_word word)
+{
+    const char *scene = reader->text.path;
+    const char *slash = strrchr(scene, '/');
+    const size_t folder =
+        slash != NULL && word.text[0] != '/' ? (size_t)(slash + 1 - scene) : 0;
+    char *path = malloc(folder + word.size + 1);
+
+    if (path == NULL) {
+        (void)etch_text_fail(&reader->text, "out of memory");
+        return NULL;
+    }
+    memcpy(path, scene, folder);
+    memcpy(path + folder, word.text, word.size);
+    path[folder + word.size] = '\0';
+    return path;
+}
+
+static const struct etch_scene_statement *find_statement(struct etch_word word)
+{
+    static const struct etch_scene_statement *const tables[] = {
+        etch_scene_frame_statements,    etch_scene_shape_statements, etch_scene_state_statements,
+        etch_scene_triangle_statements, etch_scene_view_statements,  etch_scene_mesh_statements,
+    };
+
+    for (size_t i = 0; i < sizeof tables / sizeof tables[0]; i++) {
+        for (const struct etch_scene_statement *s = tables[i]; s->name != NULL; s++) {
+            if (etch_word_is(word, s->name)) {
+                return s;
+            }
+        }
+    }
+    return NULL;
+}
+
+static bool read_line(struct etch_scene_reader *reader)
+{
+    const struct etch_scene_statement *statement;
+    struct etch_word word;
+
+    if (!etch_text_word(&reader->text, "statement", &word)) {
+        return false;
+    }
+    statement = find_statement(word);
+    if (statement == NULL) {
+        return etch_text_fail(&reader->text, "unknown statement \"%s\"",
+                              etch_word_show(word).text);
+    }
+    if (reader->scene->width == 0 && strcmp(statement->name, "scene") != 0) {
+        return etch_text_fail(&reader->text, "the first statement must be \"scene W H\"");
+    }
+    return statement->read(reader, statement) && etch_text_finished(&reader->text);
+}
+
+/* The state and view that README.md promises at the start of a scene. */
+static void set_defaults(struct etch_scene_reader *reader)
+{
+    const struct etch_scene_view view = {
+        .target = {0, 0, -ETCH_Q16_ONE},
+        .up = {0, ETCH_Q16_ONE, 0},
+        .angle_of_view = 45 * ETCH_Q16_ONE,
+        .near = ETCH_Q16_ONE,
+        .far = 100 * ETCH_Q16_ONE,
+        .ambient = {51, 51, 51},
+        .material = {255, 255, 255, 255},
+    };
+
+    reader->state = (struct etch_scene_state){.persp = 1, .zwrite = 1};
+    reader->view = view;
+    etch_matrix_identity(&reader->view.model);
+}
+
+bool etch_scene_open(struct etch_scene *scene, const char *path, struct etch_error *error)
+{
+    struct etch_scene_reader *reader = calloc(1, sizeof *reader);
+    bool ok;
+
+    *scene = (struct etch_scene){0};
+    error->text[0] = '\0';
+    if (reader == NULL) {
+        return etch_error_set(error, path, 0, "out of memory");
+    }
+    reader->scene = scene;
+    set_defaults(reader);
+    ok = etch_text_open(&reader->text, path, error);
+    while (ok && etch_text_line(&reader->text)) {
+        ok = read_line(reader);
+    }
+    ok = ok && error->text[0] == '\0';
+    if (ok && scene->width == 0) {
+        ok = etch_error_set(error, path, 0, "no statement: the first must be \"scene W H\"");
+    }
+    etch_text_close(&reader->text);
+    free(reader);
+    if (!ok) {
+        etch_scene_close(scene);
+    }
+    return ok;
+}
+
+void etch_scene_close(struct etch_scene *scene)
+{
+    for (size_t i = 0; i < scene->mesh_count; i++) {
+        etch_scene_mesh_free(scene->mesh[i]);
+    }
+    free(scene->mesh);
+    free(scene->step);
+    *scene = (struct etch_scene){0};
+}

@@ -1,0 +1,49 @@
+/* ports/host/scene.h: scene files, read and drawn.
+ *
+ * A scene is read whole, checked, and kept as a list of drawing steps; then it is drawn on any
+ * surface, as often as the frame loop asks. The format is described in README.md here. */
+#ifndef ETCH_HOST_SCENE_H
+#define ETCH_HOST_SCENE_H
+
+#include "../../hal/display.h"
+#include "text.h"
+
+struct etch_scene_step;
+struct etch_scene_mesh;
+
+struct etch_scene {
+    int16_t width, height;
+    int16_t strip;      /* rows, 0: the whole frame at once */
+    uint8_t format;     /* enum etch_format */
+    bool uses_depth;    /* something tests or writes depth */
+    size_t count;       /* of steps */
+    size_t vertex_bytes; /* RAM for the transformed vertices of its meshes */
+
+    /* Private. */
+    struct etch_scene_step *step;
+    size_t capacity;
+    struct etch_scene_mesh **mesh;
+    size_t mesh_count, mesh_capacity;
+};
+
+/* Reads and checks a scene. False, with the reason in *error, if anything is wrong; there is
+ * nothing to close then. */
+bool etch_scene_open(struct etch_scene *scene, const char *path, struct etch_error *error);
+
+/* Gives the memory back. */
+void etch_scene_close(struct etch_scene *scene);
+
+/* What drawing cost. */
+struct etch_scene_stats {
+    uint64_t triangles; /* handed to the rasteriser: not culled, not rejected */
+    uint64_t runs;      /* of all fills, clipped, none empty */
+    uint64_t pixels;    /* handed to kernels (before any test) and of outlines */
+};
+
+/* Draws the whole scene on a surface: clears first, to black and the farthest depth. Surfaces
+ * need a depth plane where scene->uses_depth. `stats` NULL: nothing is counted; else the
+ * counts are added to it, which makes outlines slow. False if there was no memory for it. */
+bool etch_scene_draw(const struct etch_scene *scene, struct etch_surface *surface,
+                     struct etch_scene_stats *stats);
+
+#endif

@@ -1,0 +1,93 @@
+/* ports/host/scene_draw.c: walks a scene's steps on one surface. The frame loop in simulate.c
+ * calls it for every strip. */
+#include <stdlib.h>
+
+#include "../../core/draw/shapes.h"
+#include "scene_steps.h"
+
+uint16_t etch_scene_color(const struct etch_scene_run *run, const uint8_t rgb[3])
+{
+    const uint16_t color = etch_rgb565(rgb[0], rgb[1], rgb[2]);
+    return run->scene->format == ETCH_FORMAT_RGB565_SWAPPED ? etch_rgb565_swap(color) : color;
+}
+
+void etch_scene_count(const struct etch_surface *surface, int16_t y0, const struct etch_run *runs,
+                      uint8_t n, const struct etch_paint *paint)
+{
+    const struct etch_scene_run *run = (const struct etch_scene_run *)(const void *)surface;
+
+    for (uint8_t i = 0; i < n; i++) {
+        run->stats->runs += runs[i].x1 > runs[i].x0;
+        run->stats->pixels += (uint64_t)(runs[i].x1 - runs[i].x0);
+    }
+    if (run->kernel != NULL) {
+        run->kernel(surface, y0, runs, n, paint);
+    }
+}
+
+etch_kernel *etch_scene_kernel(struct etch_scene_run *run,
+                               const struct etch_scene_pipeline *pipeline)
+{
+    run->kernel = pipeline->kernel[run->scene->format];
+    return run->stats != NULL ? etch_scene_count : run->kernel;
+}
+
+etch_triangle_painter *etch_scene_painter(const struct etch_scene_run *run,
+                                          const struct etch_scene_pipeline *pipeline)
+{
+    return pipeline->painter[run->scene->format];
+}
+
+/* The painter is called by the raster sink; this one counts before. */
+static void count_triangle(struct etch_sink *sink, const struct etch_vertex *const v[3])
+{
+    struct etch_scene_sink *counting = (struct etch_scene_sink *)(void *)sink;
+    const struct etch_raster_sink *raster = &counting->raster;
+
+    counting->run->stats->triangles++;
+    raster->painter(raster->surface, v, raster->kernel);
+}
+
+void etch_scene_sink_init(struct etch_scene_sink *sink, struct etch_scene_run *run,
+                          const struct etch_scene_pipeline *pipeline)
+{
+    sink->run = run;
+    etch_raster_sink_init(&sink->raster, &run->surface, etch_scene_painter(run, pipeline),
+                          etch_scene_kernel(run, pipeline));
+    if (run->stats != NULL) {
+        sink->raster.sink.triangle = count_triangle;
+    }
+}
+
+/* A plane of zeros to count outlines on, of the surface's layout. */
+static bool make_scratch(struct etch_scene_run *run)
+{
+    const size_t rows = (size_t)(run->surface.window.y1 - run->surface.window.y0);
+
+    if (run->stats != NULL) {
+        run->scratch = calloc(rows * run->surface.stride, sizeof *run->scratch);
+    }
+    return run->stats == NULL || run->scratch != NULL;
+}
+
+bool etch_scene_draw(const struct etch_scene *scene, struct etch_surface *surface,
+                     struct etch_scene_stats *stats)
+{
+    struct etch_scene_run run = {.surface = *surface,
+                                 .clip = surface->clip,
+                                 .scene = scene,
+                                 .stats = stats};
+
+    if (!make_scratch(&run)) {
+        return false;
+    }
+    etch_surface_clear(&run.surface, 0);
+    if (run.surface.depth != NULL) {
+        etch_depth_clear(&run.surface, UINT16_MAX);
+    }
+    for (size_t i = 0; i < scene->count; i++) {
+        scene->step[i].statement->draw(&run, &scene->step[i]);
+    }
+    free(run.scratch);
+    return true;
+}

@@ -1,0 +1,40 @@
+/* ports/host/scene_pipeline.h: from drawing state to the painter and kernel that do it. */
+#ifndef ETCH_HOST_SCENE_PIPELINE_H
+#define ETCH_HOST_SCENE_PIPELINE_H
+
+#include "../../core/draw/triangle.h"
+
+/* The state of a scene; members count the words of their statement (see scene_state.c), so 0
+ * is always the first, and the initial state is `{.persp = 1, .zwrite = 1}`. */
+struct etch_scene_state {
+    uint8_t shade; /* smooth flat */
+    uint8_t persp; /* 0 1 */
+    uint8_t ztest; /* off never less equal lequal greater notequal gequal always */
+    uint8_t zwrite;
+    uint8_t blend; /* off alpha add mul */
+    uint8_t cull;  /* off back front */
+    uint8_t front; /* ccw cw */
+    uint8_t stencil; /* off, or a function, then .. */
+    uint8_t stencil_reference, stencil_mask, stencil_operation[3];
+    uint8_t tex;    /* off replace modulate */
+    uint8_t filter; /* nearest linear */
+    uint8_t wrap;   /* repeat clamp mirror */
+    uint8_t atest;  /* off on */
+    uint8_t atest_reference;
+    uint8_t mode; /* precise fast exact */
+};
+
+/* One row of the table: the state it draws and what draws it, [1] in rgb565_swapped. */
+struct etch_scene_pipeline {
+    uint8_t shade, ztest, zwrite;
+    etch_triangle_painter *painter[2];
+    etch_kernel *kernel[2];
+    const char *name[2]; /* of the kernels */
+};
+
+/* The row that draws with this state. NULL if etch has none; then *reason says which statement
+ * asks for more, as in "blend". */
+const struct etch_scene_pipeline *etch_scene_pipeline_find(const struct etch_scene_state *state,
+                                                           const char **reason);
+
+#endif

@@ -1,0 +1,176 @@
+/* ports/host/scene_state.c: the state statements. scene.c finds them by name. Values are only
+ * recorded here; whether etch can draw them is asked when something is drawn with them. */
+#include <stddef.h>
+
+#include "scene_steps.h"
+
+/* A state that is one of a few words: its value is the word's place in the list. */
+struct choice {
+    const char *name;
+    size_t offset; /* into struct etch_scene_state */
+    const char *const *words;
+};
+
+static const char *const zero_one[] = {"0", "1", NULL};
+static const char *const shades[] = {"smooth", "flat", NULL};
+static const char *const tests[] = {"off",     "never",    "less",   "equal",  "lequal",
+                                    "greater", "notequal", "gequal", "always", NULL};
+static const char *const blends[] = {"off", "alpha", "add", "mul", NULL};
+static const char *const culls[] = {"off", "back", "front", NULL};
+static const char *const windings[] = {"ccw", "cw", NULL};
+static const char *const texs[] = {"off", "replace", "modulate", NULL};
+static const char *const filters[] = {"nearest", "linear", NULL};
+static const char *const wraps[] = {"repeat", "clamp", "mirror", NULL};
+static const char *const modes[] = {"precise", "fast", "exact", NULL};
+static const char *const operations[] = {"keep",   "zero",     "replace",  "incr", "decr",
+                                         "invert", "incrwrap", "decrwrap", NULL};
+
+static const struct choice choices[] = {
+    {"shade", offsetof(struct etch_scene_state, shade), shades},
+    {"persp", offsetof(struct etch_scene_state, persp), zero_one},
+    {"ztest", offsetof(struct etch_scene_state, ztest), tests},
+    {"zwrite", offsetof(struct etch_scene_state, zwrite), zero_one},
+    {"blend", offsetof(struct etch_scene_state, blend), blends},
+    {"cull", offsetof(struct etch_scene_state, cull), culls},
+    {"front", offsetof(struct etch_scene_state, front), windings},
+    {"tex", offsetof(struct etch_scene_state, tex), texs},
+    {"filter", offsetof(struct etch_scene_state, filter), filters},
+    {"wrap", offsetof(struct etch_scene_state, wrap), wraps},
+    {"mode", offsetof(struct etch_scene_state, mode), modes},
+};
+
+static bool read_choice(struct etch_scene_reader *reader, const struct choice *choice)
+{
+    int index;
+
+    if (!etch_text_choice(&reader->text, choice->name, choice->words, &index)) {
+        return false;
+    }
+    ((uint8_t *)&reader->state)[choice->offset] = (uint8_t)index;
+    return true;
+}
+
+/* off | FUNC REF MASK SFAIL ZFAIL ZPASS */
+static bool read_stencil(struct etch_scene_reader *reader)
+{
+    struct etch_scene_state *state = &reader->state;
+    int index;
+
+    state->stencil = 0;
+    if (etch_scene_take(reader, "off")) {
+        return true;
+    }
+    if (!etch_text_choice(&reader->text, "stencil", tests + 1, &index) ||
+        !etch_scene_read_byte(reader, "reference", &state->stencil_reference) ||
+        !etch_scene_read_byte(reader, "mask", &state->stencil_mask)) {
+        return false;
+    }
+    state->stencil = (uint8_t)(index + 1);
+    for (int i = 0; i < 3; i++) {
+        static const char *const names[] = {"sfail", "zfail", "zpass"};
+
+        if (!etch_text_choice(&reader->text, names[i], operations, &index)) {
+            return false;
+        }
+        state->stencil_operation[i] = (uint8_t)index;
+    }
+    return true;
+}
+
+/* off | REF */
+static bool read_atest(struct etch_scene_reader *reader)
+{
+    reader->state.atest = !etch_scene_take(reader, "off");
+    return reader->state.atest == 0 ||
+           etch_scene_read_byte(reader, "atest", &reader->state.atest_reference);
+}
+
+static void draw_scissor(struct etch_scene_run *run, const struct etch_scene_step *step)
+{
+    run->surface.clip = run->clip;
+    etch_surface_clip(&run->surface, etch_rect_intersect(run->clip, step->of.clip));
+}
+
+/* off | X Y W H, a step, because everything drawn after it is clipped */
+static const struct etch_scene_statement scissor = {"scissor", NULL, draw_scissor,
+                                                    "etch_surface_clip", NULL};
+
+static bool read_scissor(struct etch_scene_reader *reader)
+{
+    static const char *const names[] = {"x", "y", "width", "height"};
+    struct etch_scene_step *step = etch_scene_append(reader, &scissor);
+    int64_t v[4];
+
+    if (step == NULL) {
+        return false;
+    }
+    step->of.clip = (struct etch_rect){INT16_MIN, INT16_MIN, INT16_MAX, INT16_MAX};
+    if (etch_scene_take(reader, "off")) {
+        return true;
+    }
+    for (int i = 0; i < 4; i++) {
+        if (!etch_text_integer(&reader->text, names[i], INT16_MIN, INT16_MAX, &v[i])) {
+            return false;
+        }
+    }
+    step->of.clip =
+        etch_rect_from_size((int16_t)v[0], (int16_t)v[1], (int16_t)v[2], (int16_t)v[3]);
+    return true;
+}
+
+static bool read_state(struct etch_scene_reader *reader,
+                       const struct etch_scene_statement *statement)
+{
+    struct etch_word word;
+
+    (void)statement;
+    if (!etch_text_word(&reader->text, "state", &word)) {
+        return false;
+    }
+    if (etch_word_is(word, "scissor")) {
+        return read_scissor(reader);
+    }
+    if (etch_word_is(word, "stencil")) {
+        return read_stencil(reader);
+    }
+    if (etch_word_is(word, "atest")) {
+        return read_atest(reader);
+    }
+    for (size_t i = 0; i < sizeof choices / sizeof choices[0]; i++) {
+        if (etch_word_is(word, choices[i].name)) {
+            return read_choice(reader, &choices[i]);
+        }
+    }
+    return etch_text_fail(&reader->text, "unknown state \"%s\"", etch_word_show(word).text);
+}
+
+const struct etch_scene_pipeline *etch_scene_read_pipeline(struct etch_scene_reader *reader)
+{
+    const char *reason;
+    const struct etch_scene_pipeline *pipeline =
+        etch_scene_pipeline_find(&reader->state, &reason);
+
+    if (pipeline == NULL) {
+        (void)etch_text_fail(&reader->text, "drawing with this \"state %s\" is not supported yet",
+                             reason);
+    } else if (pipeline->ztest != 0) {
+        reader->scene->uses_depth = true;
+    }
+    return pipeline;
+}
+
+enum etch_cull etch_scene_cull(const struct etch_scene_state *state)
+{
+    if (state->cull == 0) {
+        return ETCH_CULL_NONE;
+    }
+    /* back faces are those not of the front winding; both exchange what is dropped */
+    return (state->cull == 1) == (state->front == 0) ? ETCH_CULL_CLOCKWISE
+                                                     : ETCH_CULL_COUNTER_CLOCKWISE;
+}
+
+const struct etch_scene_statement etch_scene_state_statements[] = {
+    {"state", read_state, NULL, NULL, NULL},
+    {"texture", etch_scene_read_texture, NULL, NULL, NULL},
+    {NULL, NULL, NULL, NULL, NULL},
+};

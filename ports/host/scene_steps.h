@@ -1,0 +1,153 @@
+/* ports/host/scene_steps.h: what the parts of the scene reader share; no part of its API.
+ *
+ * A statement is a row of a table: its name, a function that reads the rest of the line, and
+ * often one that draws. Reading appends steps to the scene, drawing walks them. Tables:
+ *
+ *      scene_frame.c     scene strip format frac clear cleardepth clearstencil
+ *      scene_shapes.c    point line rect fillrect circle disc triangle filltriangle
+ *      scene_state.c     state
+ *      scene_texture.c   texture
+ *      scene_triangles.c tri ctri
+ *      scene_view.c      camera perspective parallel ambient light material model
+ *      scene_mesh.c      mesh */
+#ifndef ETCH_HOST_SCENE_STEPS_H
+#define ETCH_HOST_SCENE_STEPS_H
+
+#include "../../core/draw/mesh.h"
+#include "scene.h"
+#include "scene_pipeline.h"
+
+struct etch_scene_step;
+
+/* A scene while it is drawn on a surface. */
+struct etch_scene_run {
+    struct etch_surface surface; /* first: the counting kernel finds the run behind it */
+    struct etch_rect clip;       /* the surface's, without scissor */
+    const struct etch_scene *scene;
+    struct etch_scene_stats *stats; /* NULL: nothing is counted */
+    etch_kernel *kernel;            /* what the counting kernel calls, or NULL */
+    uint16_t *scratch;              /* a colour plane, all zero, to count outlines on */
+};
+
+typedef void etch_scene_draw_function(struct etch_scene_run *run,
+                                      const struct etch_scene_step *step);
+
+struct etch_scene_step {
+    const struct etch_scene_statement *statement; /* whose draw is called */
+    const struct etch_scene_pipeline *pipeline;   /* of triangles and meshes, else NULL */
+    union {
+        struct {
+            int16_t at[6];
+            uint8_t rgb[3];
+        } shape;
+        uint8_t rgb[3];      /* clear */
+        uint16_t depth;      /* cleardepth */
+        struct etch_rect clip; /* state scissor */
+        struct {
+            enum etch_cull cull;
+            struct etch_vertex v[3];
+        } triangle;
+        struct {
+            enum etch_cull cull;
+            struct etch_clip_vertex v[3];
+        } clip_triangle;
+        const struct etch_scene_mesh *mesh;
+    } of;
+};
+
+#define ETCH_SCENE_LIGHTS 8
+
+/* What the statements of scene_view.c set up for the next mesh. */
+struct etch_scene_view {
+    struct etch_matrix model;
+    struct etch_vector eye, target, up;
+    bool parallel;
+    etch_q16 angle_of_view; /* degrees, up and down */
+    etch_q16 height, near, far;
+    uint8_t ambient[3], material[4];
+    uint8_t light_count;
+    struct etch_vector light_towards[ETCH_SCENE_LIGHTS];
+    uint8_t light_color[ETCH_SCENE_LIGHTS][3];
+};
+
+/* A scene while it is read. */
+struct etch_scene_reader {
+    struct etch_scene *scene;
+    struct etch_text text;
+    int frac;
+    struct etch_scene_state state;
+    struct etch_scene_view view;
+};
+
+struct etch_scene_statement {
+    const char *name;
+    bool (*read)(struct etch_scene_reader *reader, const struct etch_scene_statement *statement);
+    etch_scene_draw_function *draw;
+    const char *needs;            /* functions of etch that it draws with, for --needs */
+    const char *const *arguments; /* names of the integers that follow, NULL-terminated */
+};
+
+bool etch_scene_read_texture(struct etch_scene_reader *reader,
+                             const struct etch_scene_statement *statement);
+
+/* NULL-terminated by name. */
+extern const struct etch_scene_statement etch_scene_frame_statements[];
+extern const struct etch_scene_statement etch_scene_shape_statements[];
+extern const struct etch_scene_statement etch_scene_state_statements[];
+extern const struct etch_scene_statement etch_scene_triangle_statements[];
+extern const struct etch_scene_statement etch_scene_view_statements[];
+extern const struct etch_scene_statement etch_scene_mesh_statements[];
+
+/* ---- for reading ------------------------------------------------------------------------ */
+
+/* Appends an empty step; NULL, with an error set, without memory. */
+struct etch_scene_step *etch_scene_append(struct etch_scene_reader *reader,
+                                          const struct etch_scene_statement *statement);
+
+/* R G B, 0 .. 255 each. */
+bool etch_scene_read_rgb(struct etch_scene_reader *reader, uint8_t rgb[3]);
+
+/* One 0 .. 255. */
+bool etch_scene_read_byte(struct etch_scene_reader *reader, const char *name, uint8_t *value);
+
+/* Takes the next word if it is `name`. */
+bool etch_scene_take(struct etch_scene_reader *reader, const char *name);
+
+/* A file name of a scene, which is relative to the scene's folder unless it begins with `/`.
+ * From malloc; NULL, with an error set, without memory. */
+char *etch_scene_path(struct etch_scene_reader *reader, struct etch_word word);
+
+/* The model-to-clip matrix of the view; false, with an error set, if it has none. */
+bool etch_scene_model_to_clip(struct etch_scene_reader *reader, struct etch_matrix *m);
+
+/* The pipeline for the state as it stands; NULL, with an error set, if etch has none. */
+const struct etch_scene_pipeline *etch_scene_read_pipeline(struct etch_scene_reader *reader);
+
+/* Which winding the state culls. */
+enum etch_cull etch_scene_cull(const struct etch_scene_state *state);
+
+/* Gives a mesh back. */
+void etch_scene_mesh_free(struct etch_scene_mesh *mesh);
+
+/* ---- for drawing ------------------------------------------------------------------------ */
+
+uint16_t etch_scene_color(const struct etch_scene_run *run, const uint8_t rgb[3]);
+
+/* The kernel of a pipeline in the scene's format, behind the counting one if there are stats. */
+etch_kernel *etch_scene_kernel(struct etch_scene_run *run,
+                               const struct etch_scene_pipeline *pipeline);
+etch_triangle_painter *etch_scene_painter(const struct etch_scene_run *run,
+                                          const struct etch_scene_pipeline *pipeline);
+
+/* The sink of draw/mesh.h, which also counts triangles. */
+struct etch_scene_sink {
+    struct etch_raster_sink raster; /* first; give &raster.sink to etch_assembly */
+    struct etch_scene_run *run;
+};
+void etch_scene_sink_init(struct etch_scene_sink *sink, struct etch_scene_run *run,
+                          const struct etch_scene_pipeline *pipeline);
+
+/* Counts runs and pixels into the run's stats, then calls run->kernel unless it is NULL. */
+etch_kernel etch_scene_count;
+
+#endif

@@ -1,0 +1,114 @@
+/* ports/host/simulate.c: draws a scene as an application would: opens a display, gives the frame
+ * loop its buffers, draws on every strip. etch-sim calls it. */
+#include "simulate.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "../../hal/frame.h"
+
+/* The buffers of the application. */
+struct buffers {
+    uint16_t *pixels[2], *depth;
+};
+
+static void free_buffers(struct buffers *b)
+{
+    free(b->pixels[0]);
+    free(b->pixels[1]);
+    free(b->depth);
+}
+
+static uint16_t *get_plane(size_t elements, bool *ok)
+{
+    uint16_t *plane = *ok ? malloc(elements * sizeof *plane) : NULL;
+
+    *ok = plane != NULL;
+    return plane;
+}
+
+/* Buffers of `elements` each: colour as the screen wants, depth if the scene does. The depth
+ * plane of the whole frame, if it is wanted, serves as its own buffer on a direct display. */
+static bool get_buffers(struct etch_simulation *s, struct buffers *b, size_t elements)
+{
+    const size_t frame = (size_t)s->scene->width * (size_t)s->scene->height;
+    const bool depth = s->scene->uses_depth || s->keeps_depth;
+    bool ok = true;
+
+    for (int i = 0; i < s->screen.buffers; i++) {
+        b->pixels[i] = get_plane(elements, &ok);
+    }
+    if (depth) {
+        b->depth = get_plane(elements, &ok);
+    }
+    if (s->keeps_depth) {
+        s->depth = get_plane(frame, &ok);
+    }
+    s->color_bytes = (uint64_t)s->screen.buffers * elements * sizeof(uint16_t);
+    s->depth_bytes = depth ? (uint64_t)elements * sizeof(uint16_t) : 0;
+    return ok;
+}
+
+/* Copies the strip's depth to its place in the frame. */
+static void keep_depth(struct etch_simulation *s, const struct etch_surface *strip)
+{
+    for (int16_t y = strip->window.y0; s->depth != NULL && y < strip->window.y1; y++) {
+        memcpy(s->depth + (size_t)y * (size_t)s->scene->width,
+               strip->depth + etch_surface_index(strip, 0, y),
+               (size_t)s->scene->width * sizeof *s->depth);
+    }
+}
+
+static bool draw_frame(struct etch_simulation *s, const struct buffers *b, size_t elements,
+                       const char *path, struct etch_error *error)
+{
+    const struct etch_frame_memory memory = {
+        .pixels = {b->pixels[0], b->pixels[1]}, .depth = b->depth, .size = (uint32_t)elements};
+    struct etch_frame frame;
+    bool ok = true;
+    int status = etch_frame_init(&frame, &s->screen.display, memory);
+
+    if (status == ETCH_OK) {
+        for (struct etch_surface *strip = etch_frame_begin(&frame); strip != NULL && ok;
+             strip = etch_frame_next(&frame)) {
+            ok = etch_scene_draw(s->scene, strip, s->counts ? &s->stats : NULL);
+            keep_depth(s, strip);
+        }
+        status = etch_frame_end(&frame);
+    }
+    if (status != ETCH_OK) {
+        return etch_error_set(error, path, 0, "the display failed with %d", status);
+    }
+    return ok || etch_error_set(error, path, 0, "out of memory");
+}
+
+bool etch_simulate(struct etch_simulation *s, const char *path, struct etch_error *error)
+{
+    const struct etch_scene *scene = s->scene;
+    struct buffers buffers = {{NULL, NULL}, NULL};
+    const enum etch_screen_status status = etch_screen_open(
+        &s->screen, s->port, scene->width, scene->height, scene->format);
+    const size_t rows = s->screen.buffers == 0 ? (size_t)scene->height : (size_t)s->rows;
+    const size_t elements = rows * (size_t)scene->width;
+    bool ok = false;
+
+    if (status == ETCH_SCREEN_UNKNOWN) {
+        return etch_error_set(error, path, 0, "no port \"%s\"; there are: %s", s->port,
+                              etch_screen_names);
+    }
+    if (status == ETCH_SCREEN_NO_MEMORY || !get_buffers(s, &buffers, elements)) {
+        (void)etch_error_set(error, path, 0, "no memory for a frame of %d x %d", scene->width,
+                             scene->height);
+    } else {
+        ok = draw_frame(s, &buffers, elements, path, error);
+    }
+    free_buffers(&buffers);
+    return ok;
+}
+
+void etch_simulation_close(struct etch_simulation *s)
+{
+    etch_screen_close(&s->screen);
+    free(s->depth);
+    s->depth = NULL;
+}
