@@ -1,99 +1,108 @@
 /* vertex/clip.c: Sutherland-Hodgman against near, far and guard planes. Called by assembly for
- * the few triangles that cross one of them. See clip.h; cut.c makes the new vertices. */
+ * the few triangles that cross one of them. See clip.h; corner.c computes the new corners. */
 #include "clip.h"
-#include "cut.h"
+#include "corner.h"
 
-enum { PLANES = 6 };
-
-/* Signed distance of corner c from plane i, inside where >= 0; at most 2^42. The planes: near
- * z + w, far w - z, then x and y: 2^guard w + v and 2^guard w - v. */
-static int64_t distance(const struct etch_viewport *viewport, int i, const struct cut_corner *c)
-{
-    const int axis = i < 2 ? 2 : i < 4 ? 0 : 1;
-    const uint8_t shift = i < 2 ? 0 : i < 4 ? viewport->guard_x : viewport->guard_y;
-    const int64_t scaled = c->v[3] * (INT64_C(1) << shift);
-
-    return (i & 1) != 0 ? scaled - c->v[axis] : scaled + c->v[axis];
-}
+enum { EDGES = 3, PLANES = 6, LINES = EDGES + PLANES };
 
 struct polygon {
     uint8_t n;
-    struct cut_corner corner[ETCH_CLIP_MAX];
+    struct corner corner[ETCH_CLIP_MAX];
 };
 
-/* The corner where `plane` cuts the edge from `in` to `out`. On an edge of the triangle it is
- * computed from that edge's ends, unless rounding has put both on one side. */
-static void cut(const struct etch_viewport *viewport, int plane,
-                const struct cut_corner triangle[3], const struct cut_corner *in,
-                const struct cut_corner *out, struct cut_corner *result)
+/* Distances of the triangle's vertices from plane i: near w + z, far w - z, then 2^guard w + x,
+ * 2^guard w - x and the same with y. At most 2^41 + 2^31. */
+static void set_plane(struct corner_line *line, const struct etch_viewport *viewport, int i,
+                      const struct etch_clip_vertex v[3])
 {
-    const uint8_t ends = in->ends | out->ends;
+    const uint8_t shift = i < 2 ? 0 : i < 4 ? viewport->guard_x : viewport->guard_y;
 
-    if (ends != 7) {
-        const struct cut_corner *a = &triangle[(ends & 1) != 0 ? 0 : 1];
-        const struct cut_corner *b = &triangle[(ends & 4) != 0 ? 2 : 1];
-        const bool a_inside = distance(viewport, plane, a) >= 0;
+    for (int j = 0; j < 3; j++) {
+        const int64_t axis = i < 2 ? v[j].z : i < 4 ? v[j].x : v[j].y;
 
-        if (a_inside != (distance(viewport, plane, b) >= 0)) {
-            in = a_inside ? a : b;
-            out = a_inside ? b : a;
-        }
+        line->at[j] = v[j].w * (INT64_C(1) << shift) + ((i & 1) != 0 ? -axis : axis);
     }
-    etch_cut_edge(result, in, distance(viewport, plane, in), out,
-                  distance(viewport, plane, out));
 }
 
-/* to = the part of from inside the plane. Returns false if to is not set: all is inside. */
-static bool clip_plane(const struct etch_viewport *viewport, int plane,
-                       const struct cut_corner triangle[3], const struct polygon *from,
+static void set_lines(struct corner_line lines[LINES], const struct etch_viewport *viewport,
+                      const struct etch_clip_vertex v[3])
+{
+    for (int i = 0; i < EDGES; i++)
+        for (int j = 0; j < 3; j++)
+            lines[i].at[j] = i == j;
+    for (int i = 0; i < PLANES; i++)
+        set_plane(&lines[EDGES + i], viewport, i, v);
+}
+
+/* The line from one corner to the next. */
+static uint8_t common_line(const struct corner *a, const struct corner *b)
+{
+    return a->line[0] == b->line[0] || a->line[0] == b->line[1] ? a->line[0] : a->line[1];
+}
+
+/* to = the part of `from` inside the plane lines[plane]. False if that is all of it; then `to`
+ * is not set. */
+static bool clip_plane(const struct corner_line *lines, uint8_t plane, const struct polygon *from,
                        struct polygon *to)
 {
     bool inside[ETCH_CLIP_MAX];
     bool all = true;
 
-    for (int i = 0; i < from->n; i++) {
-        inside[i] = distance(viewport, plane, &from->corner[i]) >= 0;
+    for (uint8_t i = 0; i < from->n; i++) {
+        inside[i] = etch_corner_is_inside(&from->corner[i], &lines[plane]);
         all = all && inside[i];
     }
     if (all)
         return false;
     to->n = 0;
-    for (int i = 0; i < from->n; i++) {
-        const int next = i + 1 < from->n ? i + 1 : 0;
-        const struct cut_corner *a = &from->corner[i], *b = &from->corner[next];
+    for (uint8_t i = 0; i < from->n; i++) {
+        const uint8_t next = (uint8_t)(i + 1 < from->n ? i + 1 : 0);
+        const struct corner *a = &from->corner[i];
 
-        /* A convex polygon crosses a plane twice at most; rounding could make it more. */
+        /* A convex polygon crosses a plane twice; if rounding made it more, leave them out. */
         if (inside[i] && to->n < ETCH_CLIP_MAX)
             to->corner[to->n++] = *a;
         if (inside[i] != inside[next] && to->n < ETCH_CLIP_MAX)
-            cut(viewport, plane, triangle, inside[i] ? a : b, inside[i] ? b : a,
-                &to->corner[to->n++]);
+            etch_corner_meet(&to->corner[to->n++], lines, common_line(a, &from->corner[next]),
+                             plane);
     }
     return true;
+}
+
+static bool is_vertex(const struct corner *c)
+{
+    return c->line[0] < EDGES && c->line[1] < EDGES;
 }
 
 uint8_t etch_clip_triangle(const struct etch_viewport *viewport,
                            const struct etch_clip_vertex v[3],
                            struct etch_clip_vertex out[ETCH_CLIP_MAX])
 {
+    struct corner_line lines[LINES];
     struct polygon buffer[2];
-    struct cut_corner triangle[3];
-    int now = 0;
+    struct polygon *now = &buffer[0], *then = &buffer[1];
 
-    buffer[0].n = 3;
-    for (int i = 0; i < 3; i++) {
-        etch_cut_corner(&triangle[i], &v[i], (uint8_t)(1 << i));
-        buffer[0].corner[i] = triangle[i];
+    set_lines(lines, viewport, v);
+    now->n = 3;
+    for (uint8_t i = 0; i < 3; i++)
+        etch_corner_vertex(&now->corner[i], i);
+    for (uint8_t plane = EDGES; plane < LINES; plane++) {
+        if (clip_plane(lines, plane, now, then)) {
+            struct polygon *const swap = now;
+
+            now = then;
+            then = swap;
+        }
     }
-    for (int plane = 0; plane < PLANES; plane++)
-        if (clip_plane(viewport, plane, triangle, &buffer[now], &buffer[1 - now]))
-            now = 1 - now;
+    for (uint8_t i = 0; i < now->n; i++) {
+        const struct corner *c = &now->corner[i];
 
-    const struct polygon *polygon = &buffer[now];
-    for (int i = 0; i < polygon->n; i++) {
-        etch_cut_vertex(&out[i], &polygon->corner[i]);
+        if (is_vertex(c))
+            out[i] = v[EDGES - c->line[0] - c->line[1]];
+        else
+            etch_corner_resolve(&out[i], c, v);
         if (out[i].w <= 0) /* the eye itself: the triangle is seen edge-on */
             return 0;
     }
-    return polygon->n < 3 ? 0 : polygon->n;
+    return now->n < 3 ? 0 : now->n;
 }
