@@ -1,68 +1,82 @@
 # etch: `make help` lists the targets. Output goes to build/ only.
 #
-# Variables: CC=clang, BUILD=dir (one directory per configuration), OPT="-Os -g",
-# EXTRA="more flags for everything", CORE_EXTRA="more flags for core and hal",
-# RUN="qemu-s390x ..." (what starts a test program), SUITE=line (one suite of the unit tests).
+# Variables: CC=clang, BUILD=dir (one directory for each set of flags), OPT="-Os -g",
+# EXTRA="more flags for everything", CORE_EXTRA="more flags for core and hal", V=1 (show commands),
+# RUN="qemu-s390x" (what starts a test program), SUITE=line (one suite of `make unit`),
+# DIVISOR=10 (a tenth of every seeded loop of the tests).
 
 ifeq ($(origin CC),default)
 CC := gcc
 endif
-BUILD ?= build
-OPT   ?= -O2 -g
-WARN  := -std=c11 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wvla -Wmissing-prototypes \
-         -Wdouble-promotion -Werror
+BUILD   ?= build
+OPT     ?= -O2 -g
+DIVISOR ?= 1
+WARN    := -std=c11 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wvla -Wmissing-prototypes \
+           -Wdouble-promotion -Werror
 CFLAGS_CORE = $(WARN) -ffreestanding $(OPT) $(EXTRA) $(CORE_EXTRA)
-CFLAGS_HOST = $(WARN) -I. $(OPT) $(EXTRA)
+CFLAGS_HOST = $(WARN) -I. -DTEST_DIVISOR=$(DIVISOR) $(OPT) $(EXTRA)
 
-CORE := $(sort $(wildcard core/*/*.c core/*/*/*.c))
+CORE := $(sort $(wildcard core/*/*.c))
 HAL  := $(sort $(wildcard hal/*.c ports/framebuffer/*.c))
 SIM  := $(sort $(wildcard ports/host/*.c))
 UNIT := $(sort $(wildcard tests/unit/*.c))
 TEST := $(UNIT) $(sort $(wildcard tests/harness/*.c tests/oracle/*.c))
 
-obj = $(patsubst %.c,$(BUILD)/%.o,$(1))
-
 LIB       := $(BUILD)/libetch.a
 SIMLIB    := $(BUILD)/libetchsim.a
-ETCH_SIM  := $(if $(wildcard ports/host/etch_sim.c),$(BUILD)/etch-sim)
+ETCH_SIM  := $(BUILD)/etch-sim
 UNIT_TEST := $(BUILD)/unit-test
-STEPS     := sh tests/tools/steps.sh
+PICTURES  := $(BUILD)/picture-diff
+
+obj   = $(patsubst %.c,$(BUILD)/%.o,$(1))
+MAKE1 = $(MAKE) --no-print-directory
+STEPS = sh tests/tools/steps.sh
+Q    := $(if $(V),,@)
+# $(call steps,NAME,TARGETS): runs the targets one after the other and sums what they report.
+steps = +$(Q)$(STEPS) $(BUILD)/$(1) $(foreach t,$(2),$(t) "$(MAKE1) $(t)")
 
 .PHONY: all
 all: $(LIB) $(ETCH_SIM) ## the library and the simulator
 
-# ---- compiling: core and hal freestanding, the rest hosted ------------------------------------
+.PHONY: demo
+demo: $(ETCH_SIM) ## renders the demo scenes into build/demo
+	$(Q)BUILD=$(BUILD) sh ports/host/demo.sh
+
+# ---- compiling: core and hal freestanding, the rest hosted --------------------------------------
 
 $(LIB): $(call obj,$(CORE) $(HAL))
 	@rm -f $@
-	$(AR) rcs $@ $^
+	$(Q)$(AR) rcs $@ $^
 
 $(SIMLIB): $(call obj,$(filter-out ports/host/etch_sim.c,$(SIM)))
 	@rm -f $@
-	$(AR) rcs $@ $^
+	$(Q)$(AR) rcs $@ $^
 
-$(BUILD)/etch-sim: $(call obj,ports/host/etch_sim.c) $(SIMLIB) $(LIB)
-	$(CC) $(OPT) $(EXTRA) $^ -o $@
+$(ETCH_SIM): $(call obj,ports/host/etch_sim.c) $(SIMLIB) $(LIB)
+	$(Q)$(CC) $(OPT) $(EXTRA) $^ -o $@
 
 $(UNIT_TEST): $(call obj,$(TEST)) $(BUILD)/tests/suites.o $(LIB)
-	$(CC) $(OPT) $(EXTRA) $^ -o $@
+	$(Q)$(CC) $(OPT) $(EXTRA) $^ -o $@
+
+$(PICTURES): $(call obj,$(wildcard tests/tools/*.c))
+	$(Q)$(CC) $(OPT) $(EXTRA) $^ -o $@
 
 $(call obj,$(CORE) $(HAL)): $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS_CORE) -MMD -MP -c $< -o $@
+	$(Q)$(CC) $(CFLAGS_CORE) -MMD -MP -c $< -o $@
 
 $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS_HOST) -MMD -MP -c $< -o $@
+	$(Q)$(CC) $(CFLAGS_HOST) -MMD -MP -c $< -o $@
 
 $(BUILD)/tests/suites.o: $(BUILD)/tests/suites.c
-	$(CC) $(CFLAGS_HOST) -c $< -o $@
+	$(Q)$(CC) $(CFLAGS_HOST) -c $< -o $@
 
 # The list of suites, from the names of the files in tests/unit; rewritten only if it changed.
 SUITES := $(notdir $(UNIT:.c=))
 $(BUILD)/tests/suites.c: FORCE
 	@mkdir -p $(@D)
-	@{ echo '/* Generated from the files in tests/unit. */'; \
+	@{ echo '/* Generated from the names of the files in tests/unit. */'; \
 	   echo '#include "tests/harness/harness.h"'; \
 	   for s in $(SUITES); do echo "void suite_$$s(void);"; done; \
 	   echo 'extern const struct test_suite test_suites[];'; \
@@ -73,26 +87,88 @@ $(BUILD)/tests/suites.c: FORCE
 .PHONY: FORCE
 FORCE:
 
--include $(patsubst %.o,%.d,$(call obj,$(CORE) $(HAL) $(SIM) $(TEST)))
+-include $(patsubst %.o,%.d,$(call obj,$(CORE) $(HAL) $(SIM) $(TEST) $(wildcard tests/tools/*.c)))
 
-# ---- tests --------------------------------------------------------------------------------------
+# ---- tests ----------------------------------------------------------------------------------------
 
-.PHONY: unit
-unit: $(UNIT_TEST) ## the unit tests alone (SUITE=name for one suite)
-	$(RUN) $(UNIT_TEST) $(SUITE)
-
-# Core compiled so that every store calls tests/harness/stores.c, which looks it up on the canvas.
-STORES = BUILD=$(BUILD)/stores EXTRA="$(EXTRA) -DTEST_STORES=1 -DTEST_DIVISOR=10" \
-         CORE_EXTRA="-fsanitize=thread -fno-tree-dse -fno-tree-loop-distribute-patterns"
-.PHONY: stores
-stores: ## the unit tests with every store of core counted: no overdraw, none outside the clip
-	@$(MAKE) --no-print-directory $(STORES) unit
+TEST_STEPS  := unit stores golden cli
+CHECK_STEPS := test test-clang test32 test-size sanitize symbols includes lint
 
 .PHONY: test
-test: $(UNIT_TEST) $(ETCH_SIM) ## everything that needs only gcc and make
-	$(RUN) $(UNIT_TEST)
+test: $(UNIT_TEST) $(ETCH_SIM) ## all tests that need only gcc and make
+	$(call steps,test,$(TEST_STEPS))
 
-# ---- the rest -------------------------------------------------------------------------------------
+.PHONY: unit
+unit: $(UNIT_TEST) ## the unit tests (SUITE=name for one suite)
+	$(Q)$(RUN) $(UNIT_TEST) $(SUITE)
+
+# Core compiled so that every store calls tests/harness/stores.c, which looks it up on the canvas.
+.PHONY: stores
+stores: ## the unit tests with every store of core counted: no overdraw, none outside the clip
+	+$(Q)$(MAKE1) unit BUILD=$(BUILD)/stores DIVISOR=10 EXTRA="$(EXTRA) -DTEST_STORES=1" \
+	    CORE_EXTRA="-fsanitize=thread -fno-tree-dse -fno-tree-loop-distribute-patterns"
+
+GOLDEN = $(Q)RUN="$(RUN)" sh tests/golden/golden.sh
+.PHONY: golden golden-update golden-list
+golden: $(ETCH_SIM) $(PICTURES) ## compares the golden scenes (SCENE=name for one)
+	$(GOLDEN) run $(BUILD) $(SCENE)
+golden-update: $(ETCH_SIM) $(PICTURES) ## takes what is drawn now as golden (SCENE=name for one)
+	$(GOLDEN) update $(BUILD) $(SCENE)
+golden-list: ## lists the golden scenes
+	$(GOLDEN) list $(BUILD)
+
+.PHONY: cli
+cli: $(ETCH_SIM) ## the simulator's command line, errors included
+	$(Q)BUILD=$(BUILD) sh tests/cli/run
+
+.PHONY: test-clang test32 test-size
+test-clang: ## the tests with everything compiled by clang
+	+$(Q)$(MAKE1) test CC=clang BUILD=$(BUILD)/clang DIVISOR=4
+test32: ## the tests as 32-bit programs
+	+$(Q)$(MAKE1) test BUILD=$(BUILD)/m32 EXTRA="$(EXTRA) -m32" DIVISOR=4
+test-size: ## the unit tests at -Os
+	+$(Q)$(MAKE1) unit BUILD=$(BUILD)/os OPT="-Os -g" DIVISOR=4
+
+# A report ends the program, so that it fails. Every test runs, the seeded loops a tenth as often.
+SANITIZE := -fsanitize=address,undefined,integer,implicit-conversion -fno-sanitize-recover=all \
+            -fsanitize-ignorelist=tests/tools/sanitize.ignore -fno-omit-frame-pointer
+.PHONY: sanitize
+sanitize: ## the tests under ASan and UBSan, with integer overflow and conversion checks
+	+$(Q)$(MAKE1) test TEST_STEPS="unit golden cli" CC=clang BUILD=$(BUILD)/sanitize OPT="-O1 -g" \
+	    DIVISOR=10 EXTRA="$(SANITIZE)" CORE_EXTRA="-D'ETCH_ASSERT(x)=((x)?(void)0:__builtin_trap())'"
+
+.PHONY: symbols
+symbols: ## what core and hal objects use on Cortex-M0+, AVR and rv32, at -Os and -O2
+	$(Q)sh tests/tools/symbols.sh $(BUILD)/symbols $(CORE) $(HAL)
+
+.PHONY: includes
+includes: ## the include rules of core and hal, and no float in them
+	$(Q)CC=$(CC) sh tests/tools/includes.sh
+
+# ---- tools -----------------------------------------------------------------------------------------
+
+C_FILES = $(shell find core hal ports tests -name '*.[ch]' | sort)
+
+.PHONY: lint
+lint: ## clang-format, clang-tidy and cppcheck
+	$(Q)sh tests/tools/lint.sh $(BUILD) $(C_FILES)
+
+.PHONY: fmt
+fmt: ## formats every C file
+	$(Q)clang-format -i $(C_FILES)
+
+.PHONY: check
+check: ## all that CI runs
+	$(call steps,check,$(CHECK_STEPS))
+
+DEPS := gcc make libc6-dev gcc-multilib clang clang-tidy clang-format libclang-rt-dev cppcheck \
+        gcc-arm-none-eabi gcc-avr gcc-riscv64-unknown-elf qemu-system-arm valgrind \
+        python3 universal-ctags
+SUDO := $(if $(filter 0,$(shell id -u)),,sudo)
+.PHONY: deps
+deps: ## installs what `make check` and the benchmarks need (Debian, Ubuntu)
+	$(SUDO) apt-get update
+	$(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $(DEPS)
 
 .PHONY: help
 help: ## this list
@@ -102,3 +178,6 @@ help: ## this list
 .PHONY: clean
 clean: ## removes build/
 	rm -rf $(BUILD)
+
+# Folders may bring targets of their own.
+-include $(wildcard tests/*/*.mk ports/*/*.mk)

@@ -120,46 +120,39 @@ static char letter(const struct test_canvas *c, int32_t x, int32_t y)
     return color >= 1 && color <= 26 ? (char)('a' + color - 1) : '#';
 }
 
-static bool same_picture(const struct test_canvas *c, const char *const *rows)
+/* `picture` is width x height letters. */
+static bool same_picture(const struct test_canvas *c, const char *picture)
 {
     const struct etch_rect w = c->surface.window;
     int32_t x, y;
 
-    for (y = w.y0; y < w.y1; y++) {
-        const char *row = rows[y - w.y0];
-
-        if (row == NULL)
-            return false;
+    for (y = w.y0; y < w.y1; y++)
         for (x = w.x0; x < w.x1; x++)
-            if (row[x - w.x0] != letter(c, x, y))
+            if (*picture++ != letter(c, x, y)) /* also at the end of a short picture */
                 return false;
-        if (row[x - w.x0] != 0)
-            return false;
-    }
-    return rows[y - w.y0] == NULL;
+    return *picture == 0;
 }
 
-bool test_picture(const struct test_canvas *c, const char *const *rows, const char *file, int line)
+bool test_picture(const struct test_canvas *c, const char *picture, const char *file, int line)
 {
     const struct etch_rect w = c->surface.window;
-    const bool same = same_picture(c, rows);
-    char text[TEST_CANVAS_WORDS / 8];
+    const bool same = same_picture(c, picture);
+    char text[2] = {0, 0};
     int32_t x, y;
 
     test_check(same, "the picture", file, line);
     for (y = w.y0; !same && y < w.y1; y++) {
-        for (x = w.x0; x < w.x1; x++)
-            text[x - w.x0] = letter(c, x, y);
-        text[x - w.x0] = 0;
         test_write("     drawn ");
-        test_write(text);
-        test_write(rows[y - w.y0] != NULL ? "   expected " : "   no more rows");
-        if (rows[y - w.y0] == NULL)
-            break;
-        test_write(rows[y - w.y0]);
+        for (x = w.x0; x < w.x1; x++) {
+            text[0] = letter(c, x, y);
+            test_write(text);
+        }
+        test_write("   expected ");
+        for (x = w.x0; x < w.x1 && *picture != 0; x++) {
+            text[0] = *picture++;
+            test_write(text);
+        }
         test_write("\n");
     }
-    if (!same)
-        test_write("\n");
     return same;
 }

@@ -63,15 +63,13 @@ uint32_t test_canvas_hash(const struct test_canvas *c);
 #define CHECK_ONCE(canvas) test_canvas_check((canvas), true, __FILE__, __LINE__)
 bool test_canvas_check(const struct test_canvas *c, bool once, const char *file, int line);
 
-/* Compares the window with rows of text, and prints both if they differ. '.' is background or
- * outside the clip, '#' any colour above 26, 'a' .. 'z' the colours 1 .. 26:
- *      CHECK_PICTURE(&canvas, "##....",
- *                             "..##..",
+/* Compares the window with a picture, row by row, and prints both if they differ. '.' is
+ * background or outside the clip, '#' any colour above 26, 'a' .. 'z' the colours 1 .. 26:
+ *      CHECK_PICTURE(&canvas, "##...."
+ *                             "..##.."
  *                             "....##"); */
-#define CHECK_PICTURE(canvas, ...) \
-    test_picture((canvas), (const char *const[]){__VA_ARGS__, NULL}, __FILE__, __LINE__)
-bool test_picture(const struct test_canvas *c, const char *const *rows, const char *file,
-                  int line);
+#define CHECK_PICTURE(canvas, picture) test_picture((canvas), (picture), __FILE__, __LINE__)
+bool test_picture(const struct test_canvas *c, const char *picture, const char *file, int line);
 
 /* A paint that writes `color` and checks the contract of base/paint.h on the way: rows top to
  * bottom, runs ordered and inside the clip, 1 .. ETCH_RUN_BLOCK of them, no pixel twice. */

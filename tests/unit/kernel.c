@@ -347,9 +347,9 @@ static void shader_of_ones_own(void)
     test_canvas_open(&canvas, window);
     CHECK(etch_triangle_setup(&t, v));
     etch_triangle_runs(&canvas.surface, &t, &flag.paint);
-    CHECK_PICTURE(&canvas, "ababa..",
-                           "baba...",
-                           "ab.....",
+    CHECK_PICTURE(&canvas, "ababa.."
+                           "baba..."
+                           "ab....."
                            "b......");
     CHECK_ONCE(&canvas);
 }
@@ -381,9 +381,9 @@ static void kernel_without_the_template(void)
     etch_rect_fill(&canvas.surface, 1, 0, 2, 4, TEST_INK);
     CHECK(etch_triangle_setup(&t, v));
     etch_triangle_runs(&canvas.surface, &t, &invert);
-    CHECK_PICTURE(&canvas, "#....",
-                           "#.#..",
-                           "###..",
+    CHECK_PICTURE(&canvas, "#...."
+                           "#.#.."
+                           "###.."
                            ".##..");
 }
 
@@ -410,18 +410,18 @@ static void function_of_the_weights(void)
 
     test_canvas_open(&canvas, window);
     etch_triangle_barycentric(&canvas.surface, abc, heaviest, &canvas);
-    CHECK_PICTURE(&canvas, "aaaabbbb.",
-                           "aaabbb...",
-                           "cccc.....",
-                           "ccc......",
+    CHECK_PICTURE(&canvas, "aaaabbbb."
+                           "aaabbb..."
+                           "cccc....."
+                           "ccc......"
                            "c........");
     CHECK_ONCE(&canvas);
     test_canvas_wipe(&canvas);
     etch_triangle_barycentric(&canvas.surface, bca, heaviest, &canvas);
-    CHECK_PICTURE(&canvas, "ccccaaaa.",
-                           "cccaaa...",
-                           "bbbb.....",
-                           "bbb......",
+    CHECK_PICTURE(&canvas, "ccccaaaa."
+                           "cccaaa..."
+                           "bbbb....."
+                           "bbb......"
                            "b........");
 }
 

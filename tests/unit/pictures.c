@@ -26,7 +26,7 @@ static void points(void)
     etch_point_draw(surface, 3, 1, 2);
     etch_point_draw(surface, 4, 1, 3);
     etch_point_draw(surface, -1, 0, 3);
-    CHECK_PICTURE(&canvas, "a...",
+    CHECK_PICTURE(&canvas, "a..."
                            "...b");
     CHECK_ONCE(&canvas);
 }
@@ -35,8 +35,8 @@ static void line_from_0_0_to_5_2(void)
 {
     open(6, 3);
     etch_line_draw(surface, 0, 0, 5, 2, TEST_INK);
-    CHECK_PICTURE(&canvas, "##....",
-                           "..##..",
+    CHECK_PICTURE(&canvas, "##...."
+                           "..##.."
                            "....##");
     CHECK_ONCE(&canvas);
 }
@@ -46,20 +46,20 @@ static void line_with_a_tie(void)
 {
     open(3, 2);
     etch_line_draw(surface, 0, 0, 2, 1, TEST_INK);
-    CHECK_PICTURE(&canvas, "##.",
+    CHECK_PICTURE(&canvas, "##."
                            "..#");
     open(3, 2);
     etch_line_draw(surface, 2, 1, 0, 0, TEST_INK);
-    CHECK_PICTURE(&canvas, "##.",
+    CHECK_PICTURE(&canvas, "##."
                            "..#");
     open(3, 2);
     etch_line_draw(surface, 0, 1, 2, 0, TEST_INK);
-    CHECK_PICTURE(&canvas, "..#",
+    CHECK_PICTURE(&canvas, "..#"
                            "##.");
     open(2, 3);
     etch_line_draw(surface, 1, 2, 0, 0, TEST_INK);
-    CHECK_PICTURE(&canvas, "#.",
-                           "#.",
+    CHECK_PICTURE(&canvas, "#."
+                           "#."
                            ".#");
 }
 
@@ -71,8 +71,8 @@ static void line_clipped(void)
     open(6, 3);
     test_canvas_clip(&canvas, clip);
     etch_line_draw(surface, 0, 0, 5, 2, TEST_INK);
-    CHECK_PICTURE(&canvas, ".#....",
-                           "..##..",
+    CHECK_PICTURE(&canvas, ".#...."
+                           "..##.."
                            "......");
     CHECK_ONCE(&canvas);
 }
@@ -84,9 +84,9 @@ static void straight_lines(void)
     etch_vline_draw(surface, 3, 1, 9, 2);
     etch_hline_draw(surface, 0, 2, 0, 3);
     etch_vline_draw(surface, 5, 3, -1, 3);
-    CHECK_PICTURE(&canvas, "aa....",
-                           "...b..",
-                           "...b..",
+    CHECK_PICTURE(&canvas, "aa...."
+                           "...b.."
+                           "...b.."
                            "...b..");
     CHECK_ONCE(&canvas);
 }
@@ -98,14 +98,14 @@ static void polylines(void)
 
     open(5, 3);
     etch_polyline_draw(surface, open_ends, 3, TEST_INK);
-    CHECK_PICTURE(&canvas, "####.",
-                           "...#.",
+    CHECK_PICTURE(&canvas, "####."
+                           "...#."
                            "...#.");
     CHECK_ONCE(&canvas);
     open(5, 3);
     etch_polyline_draw(surface, closed, 4, TEST_INK);
-    CHECK_PICTURE(&canvas, "#####",
-                           ".#.#.",
+    CHECK_PICTURE(&canvas, "#####"
+                           ".#.#."
                            "..#..");
     CHECK_ONCE(&canvas);
     open(2, 1);
@@ -122,9 +122,9 @@ static void rectangles(void)
     etch_rect_draw(surface, 4, 0, 3, 4, 2);
     etch_rect_fill(surface, 0, 0, 0, 4, 3);
     etch_rect_draw(surface, 0, 0, 4, -1, 3);
-    CHECK_PICTURE(&canvas, "....bbb",
-                           ".aa.b.b",
-                           ".aa.b.b",
+    CHECK_PICTURE(&canvas, "....bbb"
+                           ".aa.b.b"
+                           ".aa.b.b"
                            "....bbb");
     CHECK_ONCE(&canvas);
 }
@@ -137,8 +137,8 @@ static void flat_outlines(void)
     etch_rect_draw(surface, 4, 0, 1, 3, 2);
     etch_rect_draw(surface, 0, 2, 1, 1, 3);
     etch_rect_draw(surface, 2, 1, 2, 2, 4);
-    CHECK_PICTURE(&canvas, "aaaab",
-                           "..ddb",
+    CHECK_PICTURE(&canvas, "aaaab"
+                           "..ddb"
                            "c.ddb");
     CHECK_ONCE(&canvas);
 }
@@ -150,12 +150,12 @@ static void circles(void)
     etch_circle_draw(surface, 1, 4, 1, 2);
     etch_circle_draw(surface, 7, 3, 3, 3);
     etch_circle_draw(surface, 5, 3, -1, 4);
-    CHECK_PICTURE(&canvas, "......ccc..",
-                           ".a...c...c.",
-                           "....c.....c",
-                           ".b..c.....c",
-                           "b.b.c.....c",
-                           ".b...c...c.",
+    CHECK_PICTURE(&canvas, "......ccc.."
+                           ".a...c...c."
+                           "....c.....c"
+                           ".b..c.....c"
+                           "b.b.c.....c"
+                           ".b...c...c."
                            "......ccc..");
     CHECK_ONCE(&canvas);
 }
@@ -167,10 +167,10 @@ static void discs(void)
     etch_circle_fill(surface, 1, 3, 1, 2);
     etch_circle_fill(surface, 5, 2, 2, 3);
     etch_circle_fill(surface, 11, 2, 2, 4);
-    CHECK_PICTURE(&canvas, "a...ccc...d",
-                           "...ccccc.dd",
-                           ".b.ccccc.dd",
-                           "bbbccccc.dd",
+    CHECK_PICTURE(&canvas, "a...ccc...d"
+                           "...ccccc.dd"
+                           ".b.ccccc.dd"
+                           "bbbccccc.dd"
                            ".b..ccc...d");
     CHECK_ONCE(&canvas);
 }
@@ -180,18 +180,18 @@ static void filled_triangles(void)
 {
     open(5, 5);
     etch_triangle_fill(surface, 0, 0, 4, 0, 0, 4, TEST_INK);
-    CHECK_PICTURE(&canvas, "####.",
-                           "###..",
-                           "##...",
-                           "#....",
+    CHECK_PICTURE(&canvas, "####."
+                           "###.."
+                           "##..."
+                           "#...."
                            ".....");
     CHECK_ONCE(&canvas);
     open(5, 5);
     etch_triangle_fill(surface, 4, 0, 4, 4, 0, 4, TEST_INK);
-    CHECK_PICTURE(&canvas, ".....",
-                           "...#.",
-                           "..##.",
-                           ".###.",
+    CHECK_PICTURE(&canvas, "....."
+                           "...#."
+                           "..##."
+                           ".###."
                            ".....");
 }
 
@@ -201,9 +201,9 @@ static void square_of_two_triangles(void)
     open(4, 4);
     etch_triangle_fill(surface, 0, 0, 3, 0, 0, 3, 1);
     etch_triangle_fill(surface, 3, 0, 3, 3, 0, 3, 2);
-    CHECK_PICTURE(&canvas, "aaa.",
-                           "aab.",
-                           "abb.",
+    CHECK_PICTURE(&canvas, "aaa."
+                           "aab."
+                           "abb."
                            "....");
     CHECK_ONCE(&canvas);
 }
@@ -212,10 +212,10 @@ static void triangle_outline(void)
 {
     open(5, 5);
     etch_triangle_draw(surface, 0, 0, 4, 0, 0, 4, TEST_INK);
-    CHECK_PICTURE(&canvas, "#####",
-                           "#..#.",
-                           "#.#..",
-                           "##...",
+    CHECK_PICTURE(&canvas, "#####"
+                           "#..#."
+                           "#.#.."
+                           "##..."
                            "#....");
     CHECK_ONCE(&canvas);
 }
@@ -234,16 +234,16 @@ static void subpixel_triangles(void)
     open(4, 4);
     etch_triangle_fill_q16(surface, upper, 1);
     etch_triangle_fill_q16(surface, lower, 2);
-    CHECK_PICTURE(&canvas, "....",
-                           ".ab.",
-                           ".bb.",
+    CHECK_PICTURE(&canvas, "...."
+                           ".ab."
+                           ".bb."
                            "....");
     CHECK_ONCE(&canvas);
     open(4, 4);
     etch_triangle_fill_q16(surface, half, 1);
-    CHECK_PICTURE(&canvas, "aa..",
-                           "a...",
-                           "....",
+    CHECK_PICTURE(&canvas, "aa.."
+                           "a..."
+                           "...."
                            "....");
 }
 
@@ -255,7 +255,7 @@ static void window_of_the_frame(void)
     test_canvas_open(&canvas, rows);
     etch_line_draw(surface, 0, 0, 5, 5, 1);
     etch_rect_fill(surface, 4, 1, 2, 2, 2);
-    CHECK_PICTURE(&canvas, "..a.bb",
+    CHECK_PICTURE(&canvas, "..a.bb"
                            "...a..");
     CHECK_ONCE(&canvas);
 }

@@ -115,9 +115,9 @@ static void two_surfaces(void)
     test_canvas_open(&b, window);
     etch_rect_fill(&a.surface, 0, 0, 2, 2, 1);
     etch_rect_fill(&b.surface, 1, 1, 9, 9, 2);
-    CHECK_PICTURE(&a, "aa..",
+    CHECK_PICTURE(&a, "aa.."
                       "aa..");
-    CHECK_PICTURE(&b, "....",
+    CHECK_PICTURE(&b, "...."
                       ".bbb");
 }
 

@@ -210,11 +210,12 @@ static void setup_tells_area_and_winding(void)
         CHECK_EQ(drawn, o.area != 0);
         if (!drawn)
             continue;
-        CHECK_EQ(etch_triangle_area(&setup), o.area);
+        CHECK_EQ(setup.area, o.area);
         CHECK_EQ(setup.winding, o.from[0] == 0 ? 1 : -1);
         for (k = 0; k < 3; k++) {
             CHECK_EQ(setup.p[k].x, t.x[setup.order[k]]);
             CHECK_EQ(setup.p[k].y, t.y[setup.order[k]]);
+            CHECK(setup.least <= t.x[k] && t.x[k] <= setup.most);
             CHECK(k == 0 || setup.p[k - 1].y < setup.p[k].y ||
                   (setup.p[k - 1].y == setup.p[k].y && setup.p[k - 1].x <= setup.p[k].x));
         }

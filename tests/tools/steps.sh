@@ -1,0 +1,33 @@
+#!/bin/sh
+# Runs steps and sums what they report.
+#       steps.sh DIRECTORY NAME COMMAND [NAME COMMAND] ..
+# Shows each step's output and keeps it in DIRECTORY/NAME.log. A step that ends with a line
+# "N passed, N failed" counts with those numbers, any other as one by its exit status; one that
+# stops without reporting a failure of its own counts as one failed. Ends with the sum in the same
+# form, so that steps nest, and fails if anything failed.
+dir=$1
+shift
+mkdir -p "$dir" || exit 1
+passed=0 failed=0 bad=
+
+while [ $# -gt 0 ]; do
+    name=$1 command=$2
+    shift 2
+    echo "== $name"
+    { sh -c "$command" 2>&1; echo $? >"$dir/$name.status"; } | tee "$dir/$name.log"
+    status=$(cat "$dir/$name.status")
+    sum=$(sed -n 's/^\([0-9][0-9]*\) passed, \([0-9][0-9]*\) failed$/\1 \2/p' "$dir/$name.log" |
+        tail -n 1)
+    p=${sum% *} f=${sum#* }
+    if [ -z "$sum" ]; then
+        p=0 f=0
+        [ "$status" -ne 0 ] || p=1
+    fi
+    [ "$status" -eq 0 ] || [ "$f" -gt 0 ] || f=1
+    [ "$f" -eq 0 ] || bad="$bad $name"
+    passed=$((passed + p)) failed=$((failed + f))
+done
+
+[ -z "$bad" ] || echo "failed:$bad (logs in $dir)"
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]
