@@ -49,33 +49,79 @@ static void stored(const void *address, size_t size)
 }
 
 /* The names that gcc and clang call. */
-#define HOOK(name) \
-    void name(void *address); \
+#define HOOK(name)                                                                                 \
+    void name(void *address);                                                                      \
     void name(void *address)
-#define WRITES(size) \
-    HOOK(__tsan_write##size) { stored(address, size); } \
-    HOOK(__tsan_unaligned_write##size) { stored(address, size); }
-#define READS(size) \
-    HOOK(__tsan_read##size) { (void)address; } \
-    HOOK(__tsan_unaligned_read##size) { (void)address; }
+#define HOOKS(size)                                                                                \
+    HOOK(__tsan_write##size)                                                                       \
+    {                                                                                              \
+        stored(address, size);                                                                     \
+    }                                                                                              \
+    HOOK(__tsan_unaligned_write##size)                                                             \
+    {                                                                                              \
+        stored(address, size);                                                                     \
+    }                                                                                              \
+    HOOK(__tsan_read##size)                                                                        \
+    {                                                                                              \
+        (void)address;                                                                             \
+    }                                                                                              \
+    HOOK(__tsan_unaligned_read##size)                                                              \
+    {                                                                                              \
+        (void)address;                                                                             \
+    }
+HOOKS(1)
+HOOKS(2)
+HOOKS(4)
+HOOKS(8)
+HOOKS(16)
 
-WRITES(1)
-WRITES(2)
-WRITES(4)
-WRITES(8)
-WRITES(16)
-READS(1)
-READS(2)
-READS(4)
-READS(8)
-READS(16)
-HOOK(__tsan_func_entry) { (void)address; }
+HOOK(__tsan_func_entry)
+{
+    (void)address;
+}
 
 void __tsan_init(void);
-void __tsan_init(void) {}
+void __tsan_init(void)
+{
+}
+
 void __tsan_func_exit(void);
-void __tsan_func_exit(void) {}
+void __tsan_func_exit(void)
+{
+}
+
 void __tsan_read_range(const void *address, size_t size);
-void __tsan_read_range(const void *address, size_t size) { (void)address; (void)size; }
+void __tsan_read_range(const void *address, size_t size)
+{
+    (void)address;
+    (void)size;
+}
+
 void __tsan_write_range(void *address, size_t size);
-void __tsan_write_range(void *address, size_t size) { stored(address, size); }
+void __tsan_write_range(void *address, size_t size)
+{
+    stored(address, size);
+}
+
+void *__tsan_memset(void *to, int value, size_t size);
+void *__tsan_memset(void *to, int value, size_t size)
+{
+    uint8_t *p = to;
+
+    stored(to, size);
+    for (; size != 0; size--)
+        *p++ = (uint8_t)(value & 255);
+    return to;
+}
+
+void *__tsan_memcpy(void *to, const void *from, size_t size);
+void *__tsan_memcpy(void *to, const void *from, size_t size)
+{
+    const uint8_t *f = from;
+    uint8_t *p = to;
+
+    stored(to, size);
+    for (; size != 0; size--)
+        *p++ = *f++;
+    return to;
+}

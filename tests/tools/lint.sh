@@ -1,6 +1,8 @@
 #!/bin/sh
 # Style and static analysis: clang-format, clang-tidy, cppcheck. A missing tool is a failure.
 #       lint.sh BUILD FILE ..
+# Left out of cppcheck: signed right shifts (base/fixed.h asserts that they are arithmetic) and
+# uninitvar, which takes `&array[0].member` for a read; clang's analyzer looks for the real ones.
 build=$1
 shift
 passed=0 failed=0
@@ -32,11 +34,13 @@ readability-duplicate-include,readability-else-after-return,readability-non-cons
 -bugprone-easily-swappable-parameters,-bugprone-narrowing-conversions,-bugprone-macro-parentheses,\
 -bugprone-implicit-widening-of-multiplication-result,-bugprone-reserved-identifier,\
 -clang-analyzer-security.insecureAPI.*,-misc-unused-parameters,-misc-no-recursion,\
--misc-include-cleaner,-bugprone-branch-clone" \
+-misc-include-cleaner,-bugprone-branch-clone,-bugprone-signed-char-misuse,\
+-bugprone-too-small-loop-variable" \
     $core -- -std=c11 -I. -ffreestanding
 # shellcheck disable=SC2086
 run cppcheck cppcheck --quiet --std=c11 --enable=warning,portability,performance \
     --error-exitcode=1 --inline-suppr --suppress=missingIncludeSystem -I. \
-    --suppress=objectIndex --suppress=unusedStructMember -D__GNUC__ $core
+    --suppress=objectIndex --suppress=unusedStructMember \
+    --suppress=shiftTooManyBitsSigned --suppress=uninitvar -D__GNUC__ $core
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]
