@@ -1,7 +1,7 @@
 /* base/trig.h: integer sine. Angles are 65536ths of a turn, so they wrap by themselves.
  *
- * Exact at quarter turns and odd: sin(-a) = -sin(a), sin(1/2 - a) = sin(a). Nothing is read
- * from a table. Source: Taylor series on the quarter turn, in Horner's form.
+ * Exact at quarter turns; in 2.30 also odd: sin(-a) = -sin(a), sin(1/2 - a) = sin(a). Nothing
+ * is read from a table. Source: Taylor series on the quarter turn, in Horner's form.
  */
 #ifndef ETCH_BASE_TRIG_H
 #define ETCH_BASE_TRIG_H
@@ -18,7 +18,7 @@ ETCH_INLINE int32_t etch_cos_q30(uint16_t angle)
     return etch_sin_q30((uint16_t)((uint32_t)angle + 0x4000));
 }
 
-/* sin(angle) in 16.16, -65536 .. 65536: the nearest value for each of the 65536 angles. */
+/* sin(angle) in 16.16, -65536 .. 65536. Errs by at most 1/2 + 2^-13 units of 2^-16. */
 ETCH_INLINE etch_q16 etch_sin_q16(uint16_t angle)
 {
     return (etch_sin_q30(angle) + 8192) >> 14;

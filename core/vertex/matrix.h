@@ -36,7 +36,7 @@ enum etch_status etch_matrix_multiply(struct etch_matrix *m, const struct etch_m
 
 /* ---- rotations: counter-clockwise for an eye at the axis' positive end ------------------ */
 
-/* Exact at quarter turns; elsewhere each entry is the nearest 1/65536. */
+/* Exact at quarter turns; elsewhere entries err as etch_sin_q16 (base/trig.h). */
 void etch_matrix_rotate_x(struct etch_matrix *m, uint16_t angle);
 void etch_matrix_rotate_y(struct etch_matrix *m, uint16_t angle);
 void etch_matrix_rotate_z(struct etch_matrix *m, uint16_t angle);

@@ -1,0 +1,466 @@
+/* tests/unit: sine, matrices and projections against their definitions. */
+#include "core/base/trig.h"
+#include "core/vertex/matrix.h"
+#include "tests/harness/harness.h"
+#include "tests/oracle/wide.h"
+
+void suite_matrix(void);
+
+/* ---- sine ----------------------------------------------------------------------------------- */
+
+#define PI_Q60 INT64_C(0x3243F6A8885A308D)
+
+/* a * b of 4.60 numbers, truncated. */
+static uint64_t mul_q60(uint64_t a, uint64_t b)
+{
+    const struct wide p = wide_product(a, b);
+
+    return (p.hi & ((UINT64_C(1) << 60) - 1)) << 4 | p.lo >> 60;
+}
+
+/* Taylor's series over the first quarter turn, the rest by symmetry; good to 2^-54. */
+static int64_t exact_sine_q60(uint32_t angle)
+{
+    const uint32_t folded = (angle & 0x4000) != 0 ? 0x8000 - (angle & 0x7FFF) : angle & 0x3FFF;
+    const uint64_t x = (uint64_t)PI_Q60 / 32768 * folded;
+    const uint64_t square = mul_q60(x, x);
+    uint64_t term = x;
+    int64_t sum = (int64_t)x;
+    uint32_t k;
+
+    for (k = 2; k < 30; k += 2) {
+        term = mul_q60(term, square) / (k * (k + 1));
+        sum += k % 4 == 2 ? -(int64_t)term : (int64_t)term;
+    }
+    return (angle & 0x8000) != 0 ? -sum : sum;
+}
+
+static int64_t distance(int64_t a, int64_t b)
+{
+    return a < b ? b - a : a - b;
+}
+
+static void sine_of_every_angle(void)
+{
+    uint32_t a;
+
+    for (a = 0; a < 65536; a++) {
+        const uint16_t angle = (uint16_t)a;
+        const int64_t exact = exact_sine_q60(a);
+
+        CHECK(distance(etch_sin_q30(angle) * (INT64_C(1) << 30), exact) < INT64_C(2) << 30);
+        CHECK(distance(etch_sin_q16(angle) * (INT64_C(1) << 44), exact) <=
+              (INT64_C(1) << 43) + (INT64_C(1) << 31));
+        CHECK_EQ(etch_cos_q30(angle), etch_sin_q30((uint16_t)(a + 0x4000)));
+        CHECK_EQ(etch_sin_q30((uint16_t)(0x8000 - a)), etch_sin_q30(angle));
+        CHECK_EQ(etch_sin_q30((uint16_t)(0x10000 - a)), -etch_sin_q30(angle));
+    }
+    CHECK_EQ(etch_sin_q16(0), 0);
+    CHECK_EQ(etch_sin_q30(0x4000), INT32_C(1) << 30);
+    CHECK_EQ(etch_sin_q16(0x4000), 65536);
+    CHECK_EQ(etch_cos_q16(0x4000), 0);
+    CHECK_EQ(etch_cos_q16(0x8000), -65536);
+}
+
+/* ---- products --------------------------------------------------------------------------------- */
+
+static bool same(const struct etch_matrix *a, const struct etch_matrix *b)
+{
+    int i;
+
+    for (i = 0; i < 16; i++)
+        if (a->m[i / 4][i % 4] != b->m[i / 4][i % 4])
+            return false;
+    return true;
+}
+
+/* A positive and a negative wide part, apart. */
+struct signed_wide {
+    struct wide plus, minus;
+};
+
+static void add_product(struct signed_wide *s, int64_t a, int64_t b)
+{
+    const struct wide p =
+        wide_product(a < 0 ? (uint64_t)-a : (uint64_t)a, b < 0 ? (uint64_t)-b : (uint64_t)b);
+
+    if ((a < 0) != (b < 0))
+        s->minus = wide_sum(s->minus, p);
+    else
+        s->plus = wide_sum(s->plus, p);
+}
+
+/* |s| <= n */
+static bool within(const struct signed_wide *s, uint64_t n)
+{
+    const struct wide most = {0, n};
+
+    return wide_at_most(wide_distance(s->plus, s->minus), most);
+}
+
+static void random_matrix(struct etch_matrix *m, uint32_t *seed)
+{
+    const int32_t down = test_range(seed, 0, 24);
+    int i;
+
+    for (i = 0; i < 16; i++)
+        m->m[i / 4][i % 4] = (int32_t)test_random(seed) >> down;
+}
+
+/* Every entry is within half a unit of the exact sum, or that sum does not fit. */
+static void products_are_rounded_once(void)
+{
+    uint32_t seed = 1;
+    int32_t n, fits = 0;
+
+    for (n = 0; n < TEST_COUNT(20000); n++) {
+        struct etch_matrix a, b, product;
+        bool out = false;
+        int i, k;
+
+        random_matrix(&a, &seed);
+        random_matrix(&b, &seed);
+        product = a;
+        if (etch_matrix_multiply(&product, &product, &b) != ETCH_OK) {
+            CHECK(same(&product, &a));
+            for (i = 0; i < 16; i++) {
+                struct signed_wide high = {{0, 0}, {0, 0}};
+
+                for (k = 0; k < 4; k++)
+                    add_product(&high, a.m[i / 4][k], b.m[k][i % 4]);
+                out = out || !within(&high, (UINT64_C(1) << 47) - 32769);
+            }
+            CHECK(out);
+            continue;
+        }
+        fits++;
+        for (i = 0; i < 16; i++) {
+            struct signed_wide error = {{0, 0}, {0, 0}};
+
+            for (k = 0; k < 4; k++)
+                add_product(&error, a.m[i / 4][k], b.m[k][i % 4]);
+            add_product(&error, product.m[i / 4][i % 4], -65536);
+            CHECK(within(&error, 32768));
+        }
+    }
+    CHECK(fits > n / 4);
+}
+
+static void products_compose(void)
+{
+    struct etch_matrix move, turn, both, back, one;
+
+    etch_matrix_translate(&move, 5 * 65536, 0, 0);
+    etch_matrix_rotate_z(&turn, 0x4000);
+    CHECK_EQ(etch_matrix_multiply(&both, &turn, &move), ETCH_OK);
+    CHECK_EQ(both.m[0][3], 0); /* moved right, then turned: up */
+    CHECK_EQ(both.m[1][3], 5 * 65536);
+    etch_matrix_rotate_z(&back, 0xC000);
+    CHECK_EQ(etch_matrix_multiply(&back, &back, &turn), ETCH_OK);
+    etch_matrix_identity(&one);
+    CHECK(same(&back, &one));
+}
+
+/* ---- rotations -------------------------------------------------------------------------------- */
+
+/* x to y, y to z, z to x: the same turn each, and about an axis of any length the same again. */
+static void rotations_agree(void)
+{
+    static const struct etch_vector axes[] = {{7, 0, 0}, {0, INT32_MAX, 0}, {0, 0, 65536}};
+    uint32_t angle;
+    int axis, i;
+
+    for (angle = 0; angle < 65536; angle += 97) {
+        const etch_q16 s = etch_sin_q16((uint16_t)angle), c = etch_cos_q16((uint16_t)angle);
+        struct etch_matrix r[3], about;
+
+        etch_matrix_rotate_x(&r[0], (uint16_t)angle);
+        etch_matrix_rotate_y(&r[1], (uint16_t)angle);
+        etch_matrix_rotate_z(&r[2], (uint16_t)angle);
+        for (axis = 0; axis < 3; axis++) {
+            const int a = (axis + 1) % 3, b = (axis + 2) % 3;
+
+            CHECK_EQ(r[axis].m[a][a], c);
+            CHECK_EQ(r[axis].m[b][b], c);
+            CHECK_EQ(r[axis].m[b][a], s);
+            CHECK_EQ(r[axis].m[a][b], -s);
+            CHECK_EQ(r[axis].m[axis][axis], 65536);
+            CHECK_EQ(etch_matrix_rotate(&about, (uint16_t)angle, &axes[axis]), ETCH_OK);
+            for (i = 0; i < 16; i++)
+                CHECK(distance(about.m[i / 4][i % 4], r[axis].m[i / 4][i % 4]) <= 1);
+        }
+    }
+}
+
+/* A third of a turn about (1, 1, 1) takes x to y to z to x, and about (1, 2, 2) the axis stays. */
+static void rotation_about_an_axis(void)
+{
+    static const struct etch_vector diagonal = {-3, -3, -3}, axis = {65536, 131072, 131072};
+    static const struct etch_vector none = {0, 0, 0};
+    struct etch_matrix m, before;
+    uint32_t angle;
+    int i, k;
+
+    CHECK_EQ(etch_matrix_rotate(&m, 43691, &diagonal), ETCH_OK); /* -1/3 turn, minus the axis */
+    for (i = 0; i < 3; i++)
+        for (k = 0; k < 3; k++)
+            CHECK(distance(m.m[i][k], (k + 1) % 3 == i ? 65536 : 0) <= 3); /* 1/3 is not exact */
+    for (angle = 0; angle < 65536; angle += 111) {
+        CHECK_EQ(etch_matrix_rotate(&m, (uint16_t)angle, &axis), ETCH_OK);
+        for (i = 0; i < 3; i++) /* entries err by less than 1, times 1 + 2 + 2 */
+            CHECK(distance(m.m[i][0] + 2 * m.m[i][1] + 2 * m.m[i][2], i == 0 ? 65536 : 131072) < 5);
+    }
+    before = m;
+    CHECK_EQ(etch_matrix_rotate(&m, 1, &none), ETCH_EINVAL);
+    CHECK(same(&m, &before));
+}
+
+/* ---- the eye ------------------------------------------------------------------------------------ */
+
+struct vector64 {
+    int64_t v[3];
+};
+
+static struct vector64 cross(const struct vector64 *a, const struct vector64 *b)
+{
+    struct vector64 c;
+    int i;
+
+    for (i = 0; i < 3; i++)
+        c.v[i] = a->v[(i + 1) % 3] * b->v[(i + 2) % 3] - a->v[(i + 2) % 3] * b->v[(i + 1) % 3];
+    return c;
+}
+
+/* entry = v[i] / |v| to less than one unit, by squares: (|entry| - 1)^2 |v|^2 < v[i]^2 2^32 <
+ * (|entry| + 1)^2 |v|^2, where the lower bound is void below 1. */
+static bool is_unit(etch_q16 entry, const struct vector64 *v, int i)
+{
+    const uint64_t size = (uint64_t)(entry < 0 ? -entry : entry);
+    struct wide squares = {0, 0};
+    uint64_t part[3];
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        part[k] = (uint64_t)(v->v[k] < 0 ? -v->v[k] : v->v[k]);
+        squares = wide_sum(squares, wide_product(part[k], part[k]));
+    }
+    const struct wide exact =
+        wide_scale(wide_scale(wide_product(part[i], part[i]), 65536), 65536);
+    const struct wide above = wide_scale(wide_scale(squares, (uint32_t)size + 1),
+                                         (uint32_t)size + 1);
+    const struct wide below =
+        size == 0 ? squares
+                  : wide_scale(wide_scale(squares, (uint32_t)size - 1), (uint32_t)size - 1);
+
+    return wide_at_most(exact, above) && (size == 0 || wide_at_most(below, exact)) &&
+           (size <= 1 || (entry < 0) == (v->v[i] < 0));
+}
+
+static void look_at_rows_are_unit_vectors(void)
+{
+    uint32_t seed = 1;
+    int32_t n, checked = 0;
+
+    for (n = 0; n < TEST_COUNT(20000); n++) {
+        int32_t c[9];
+        struct etch_matrix m;
+        int i, row;
+
+        for (i = 0; i < 9; i++)
+            c[i] = test_range(&seed, -4095, 4095) * (n % 3 == 0 ? 1 : 5000);
+        const struct etch_vector eye = {c[0], c[1], c[2]}, target = {c[3], c[4], c[5]};
+        const struct etch_vector up = {c[6], c[7], c[8]};
+        const int32_t unit = n % 3 == 0 ? 1 : 5000;
+        const struct vector64 view = {{(c[3] - c[0]) / unit, (c[4] - c[1]) / unit,
+                                       (c[5] - c[2]) / unit}};
+        const struct vector64 above = {{c[6] / unit, c[7] / unit, c[8] / unit}};
+        const struct vector64 right = cross(&view, &above);
+        const struct vector64 upward = cross(&right, &view);
+        const struct vector64 back = {{-view.v[0], -view.v[1], -view.v[2]}};
+        const struct vector64 *const rows[3] = {&right, &upward, &back};
+
+        if (etch_matrix_look_at(&m, &eye, &target, &up) != ETCH_OK) {
+            CHECK(right.v[0] == 0 && right.v[1] == 0 && right.v[2] == 0);
+            continue;
+        }
+        checked++;
+        for (row = 0; row < 3; row++) {
+            const int64_t moved = (int64_t)m.m[row][0] * c[0] + (int64_t)m.m[row][1] * c[1] +
+                                  (int64_t)m.m[row][2] * c[2];
+
+            for (i = 0; i < 3; i++)
+                CHECK(is_unit(m.m[row][i], rows[row], i));
+            CHECK_EQ(m.m[row][3], (-moved + 32768) >> 16);
+            CHECK_EQ(m.m[3][row], 0);
+        }
+        CHECK_EQ(m.m[3][3], 65536);
+    }
+    CHECK(checked > n - 10);
+}
+
+static void look_at_refuses(void)
+{
+    static const struct etch_vector zero = {0, 0, 0}, ahead = {0, 0, -65536};
+    static const struct etch_vector back = {0, 0, 7}, up = {0, 65536, 0};
+    static const struct etch_vector far = {INT32_MAX, INT32_MAX, 0}, low = {-65536, -65536, 0};
+    struct etch_matrix m, before, one;
+
+    etch_matrix_rotate_x(&m, 1234);
+    before = m;
+    CHECK_EQ(etch_matrix_look_at(&m, &ahead, &ahead, &up), ETCH_EINVAL);
+    CHECK_EQ(etch_matrix_look_at(&m, &zero, &ahead, &zero), ETCH_EINVAL);
+    CHECK_EQ(etch_matrix_look_at(&m, &zero, &ahead, &back), ETCH_EINVAL);
+    CHECK_EQ(etch_matrix_look_at(&m, &far, &low, &ahead), ETCH_ERANGE);
+    CHECK(same(&m, &before));
+    CHECK_EQ(etch_matrix_look_at(&m, &zero, &ahead, &up), ETCH_OK);
+    etch_matrix_identity(&one);
+    CHECK(same(&m, &one));
+}
+
+/* ---- projections ---------------------------------------------------------------------------------- */
+
+/* entry = n / d to half a unit; |n|, |d| < 2^63. */
+static bool is_quotient(etch_q16 entry, int64_t n, int64_t d)
+{
+    struct signed_wide twice_error = {{0, 0}, {0, 0}};
+
+    add_product(&twice_error, n, 2);
+    add_product(&twice_error, d, -2 * (int64_t)entry);
+    return within(&twice_error, (uint64_t)(d < 0 ? -d : d));
+}
+
+static etch_q16 random_size(uint32_t *seed)
+{
+    return (int32_t)(test_random(seed) >> test_range(seed, 1, 28)) + 1 -
+           (test_range(seed, 0, 30) == 0 ? 5 : 0);
+}
+
+static void perspective_is_rounded(void)
+{
+    uint32_t seed = 1;
+    int32_t n, good = 0, large = 0;
+
+    for (n = 0; n < TEST_COUNT(50000); n++) {
+        const etch_q16 focal = random_size(&seed), aspect = random_size(&seed);
+        const etch_q16 near = random_size(&seed), far = random_size(&seed);
+        struct etch_matrix m, before;
+        enum etch_status status;
+
+        etch_matrix_identity(&m);
+        before = m;
+        status = etch_matrix_perspective_focal(&m, focal, aspect, near, far);
+        if (focal <= 0 || aspect <= 0 || near <= 0 || far <= near) {
+            CHECK_EQ(status, ETCH_EINVAL);
+            CHECK(same(&m, &before));
+        } else if (status == ETCH_OK) {
+            good++;
+            CHECK(is_quotient(m.m[0][0], (int64_t)focal * 65536, aspect));
+            CHECK_EQ(m.m[1][1], focal);
+            CHECK(is_quotient(m.m[2][2], ((int64_t)far + near) * 65536, (int64_t)near - far));
+            CHECK(is_quotient(m.m[2][3], (int64_t)far * near * 2, (int64_t)near - far));
+            CHECK_EQ(m.m[3][2], -65536);
+            CHECK_EQ(m.m[3][3], 0);
+        } else {
+            const int64_t most = INT64_C(32768) * 65536 - 1;
+
+            large++;
+            CHECK_EQ(status, ETCH_ERANGE);
+            CHECK(same(&m, &before));
+            CHECK((int64_t)focal * 65536 / aspect >= most ||
+                  ((int64_t)far + near) * 65536 / ((int64_t)far - near) >= most ||
+                  (int64_t)far * near * 2 / ((int64_t)far - near) >= most);
+        }
+    }
+    CHECK(good > n / 20);
+    CHECK(large > 100);
+}
+
+/* cot(fov / 2) = (1 + cos) / sin, from the exact sines. */
+static void perspective_by_angle(void)
+{
+    struct etch_matrix m;
+    uint32_t fov;
+
+    for (fov = 1; fov < 0x8000; fov += fov < 200 ? 1 : 37) {
+        const int64_t sine = exact_sine_q60(fov) >> 30;
+        const int64_t cosine = exact_sine_q60(fov + 0x4000) >> 30;
+        struct signed_wide error = {{0, 0}, {0, 0}};
+
+        CHECK_EQ(etch_matrix_perspective(&m, (uint16_t)fov, 65536, 65536, 131072), ETCH_OK);
+        CHECK_EQ(m.m[0][0], m.m[1][1]);
+        if (fov > 0x4000) { /* sin / (1 - cos) */
+            add_product(&error, sine, 65536);
+            add_product(&error, (INT64_C(1) << 30) - cosine, -m.m[1][1]);
+            CHECK(within(&error, (uint64_t)((INT64_C(1) << 30) - cosine)));
+        } else {
+            add_product(&error, (INT64_C(1) << 30) + cosine, 65536);
+            add_product(&error, sine, -m.m[1][1]);
+            CHECK(within(&error, (uint64_t)(sine + ((INT64_C(1) << 30) + cosine) * 2)));
+        }
+    }
+    CHECK_EQ(etch_matrix_perspective(&m, 0x4000, 65536, 65536, 131072), ETCH_OK);
+    CHECK_EQ(m.m[1][1], 65536);
+    CHECK_EQ(etch_matrix_perspective(&m, 0, 65536, 65536, 131072), ETCH_EINVAL);
+    CHECK_EQ(etch_matrix_perspective(&m, 0x8000, 65536, 65536, 131072), ETCH_EINVAL);
+    CHECK_EQ(etch_matrix_perspective(&m, 0x8001, 65536, 65536, 131072), ETCH_EINVAL);
+    CHECK_EQ(etch_matrix_perspective(&m, 0x2000, 0, 65536, 131072), ETCH_EINVAL);
+    CHECK_EQ(etch_matrix_perspective(&m, 0x2000, 65536, 65536, 65536), ETCH_EINVAL);
+    CHECK_EQ(etch_matrix_perspective(&m, 0x2000, 65536, 65536, 65537), ETCH_ERANGE);
+}
+
+static void boxes_are_rounded(void)
+{
+    uint32_t seed = 1;
+    int32_t n, good = 0;
+
+    for (n = 0; n < TEST_COUNT(50000); n++) {
+        const struct etch_box b = {
+            random_size(&seed) - 9,  random_size(&seed) - 7, -random_size(&seed),
+            random_size(&seed),      random_size(&seed),     random_size(&seed)};
+        const int64_t width = (int64_t)b.right - b.left, height = (int64_t)b.top - b.bottom;
+        const int64_t depth = (int64_t)b.far - b.near;
+        struct etch_matrix f, o;
+        const enum etch_status frustum = etch_matrix_frustum(&f, &b);
+        const enum etch_status parallel = etch_matrix_orthographic(&o, &b);
+        const bool valid = width != 0 && height != 0 && depth > 0;
+
+        CHECK_EQ(parallel == ETCH_EINVAL, !valid);
+        CHECK_EQ(frustum == ETCH_EINVAL, !valid || b.near <= 0);
+        if (frustum == ETCH_OK) {
+            good++;
+            CHECK(is_quotient(f.m[0][0], (int64_t)b.near * 131072, width));
+            CHECK(is_quotient(f.m[0][2], ((int64_t)b.right + b.left) * 65536, width));
+            CHECK(is_quotient(f.m[1][1], (int64_t)b.near * 131072, height));
+            CHECK(is_quotient(f.m[1][2], ((int64_t)b.top + b.bottom) * 65536, height));
+            CHECK(is_quotient(f.m[2][2], ((int64_t)b.far + b.near) * -65536, depth));
+            CHECK(is_quotient(f.m[2][3], (int64_t)b.far * b.near * -2, depth));
+            CHECK_EQ(f.m[3][2], -65536);
+            CHECK_EQ(f.m[3][3], 0);
+        }
+        if (parallel == ETCH_OK) {
+            good++;
+            CHECK(is_quotient(o.m[0][0], INT64_C(2) << 32, width));
+            CHECK(is_quotient(o.m[0][3], ((int64_t)b.right + b.left) * -65536, width));
+            CHECK(is_quotient(o.m[1][1], INT64_C(2) << 32, height));
+            CHECK(is_quotient(o.m[1][3], ((int64_t)b.top + b.bottom) * -65536, height));
+            CHECK(is_quotient(o.m[2][2], -(INT64_C(2) << 32), depth));
+            CHECK(is_quotient(o.m[2][3], ((int64_t)b.far + b.near) * -65536, depth));
+            CHECK_EQ(o.m[3][3], 65536);
+        }
+    }
+    CHECK(good > n / 20);
+}
+
+void suite_matrix(void)
+{
+    RUN(sine_of_every_angle);
+    RUN(products_are_rounded_once);
+    RUN(products_compose);
+    RUN(rotations_agree);
+    RUN(rotation_about_an_axis);
+    RUN(look_at_rows_are_unit_vectors);
+    RUN(look_at_refuses);
+    RUN(perspective_is_rounded);
+    RUN(perspective_by_angle);
+    RUN(boxes_are_rounded);
+}
