@@ -83,7 +83,7 @@ struct test_run_log {
 struct test_run_paint {
     struct etch_paint paint; /* .kernel = test_kernel_checked */
     uint16_t color;
-    bool count;              /* add `color` to a pixel instead of refusing to write it again */
+    bool count; /* add `color` to a pixel instead of refusing to write it again */
     struct test_run_log *log;
 };
 etch_kernel test_kernel_checked;

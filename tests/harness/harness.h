@@ -25,8 +25,8 @@ void test_run(const char *name, void (*function)(void));
 
 /* Fails the running case, with the values, unless the condition holds. Goes on. */
 #define CHECK(condition) test_check((condition), #condition, __FILE__, __LINE__)
-#define CHECK_EQ(actual, expected) \
-    test_check_eq((int64_t)(actual), (int64_t)(expected), #actual " == " #expected, __FILE__, \
+#define CHECK_EQ(actual, expected)                                                                 \
+    test_check_eq((int64_t)(actual), (int64_t)(expected), #actual " == " #expected, __FILE__,      \
                   __LINE__)
 bool test_check(bool ok, const char *text, const char *file, int line);
 bool test_check_eq(int64_t actual, int64_t expected, const char *text, const char *file, int line);

@@ -5,7 +5,8 @@
 
 #define LIMIT (INT32_C(1) << 23)
 
-const uint8_t test_orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+const uint8_t test_orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1},
+                                   {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
 
 static int32_t clamp(int32_t v)
 {
@@ -22,9 +23,11 @@ static void near(struct test_triangle *t, int i, struct etch_rect w, int32_t mar
                  int32_t offset, uint32_t *seed)
 {
     t->x[i] = clamp(test_range(seed, (w.x0 - margin) * 256 / grid, (w.x1 + margin) * 256 / grid) *
-                        grid + offset);
+                        grid +
+                    offset);
     t->y[i] = clamp(test_range(seed, (w.y0 - margin) * 256 / grid, (w.y1 + margin) * 256 / grid) *
-                        grid + offset);
+                        grid +
+                    offset);
 }
 
 static void anywhere(struct test_triangle *t, int i, uint32_t *seed)
@@ -74,9 +77,18 @@ static void make_degenerate(struct test_triangle *t, struct etch_rect w, uint32_
     for (i = 0; i < 3; i++)
         near(t, i, w, 10, grid, 0, seed);
     switch (test_range(seed, 0, 4)) {
-    case 0: t->x[1] = t->x[0]; t->y[1] = t->y[0]; break;
-    case 1: t->x[1] = t->x[0]; t->x[2] = t->x[0]; break;
-    case 2: t->y[1] = t->y[0]; t->y[2] = t->y[0]; break;
+    case 0:
+        t->x[1] = t->x[0];
+        t->y[1] = t->y[0];
+        break;
+    case 1:
+        t->x[1] = t->x[0];
+        t->x[2] = t->x[0];
+        break;
+    case 2:
+        t->y[1] = t->y[0];
+        t->y[2] = t->y[0];
+        break;
     case 3: collinear(t, 0, seed); break;
     default: collinear(t, 1, seed); break;
     }
@@ -108,11 +120,15 @@ void test_triangle_make(struct test_triangle *t, enum test_triangle_kind kind,
         case TEST_TRIANGLE_centres: near(t, i, window, 6, 256, 128, seed); break;
         case TEST_TRIANGLE_corners: near(t, i, window, 6, 256, 0, seed); break;
         case TEST_TRIANGLE_sixteenths: near(t, i, window, 10, 16, 0, seed); break;
+        case TEST_TRIANGLE_screen:
+        case TEST_TRIANGLE_sliver: near(t, i, window, i == 0 ? 10 : 500, 1, 0, seed); break;
         default: near(t, i, window, 30, 1, 0, seed); break;
         }
     }
     if (kind == TEST_TRIANGLE_thin)
         collinear(t, 16, seed);
+    else if (kind == TEST_TRIANGLE_sliver)
+        collinear(t, test_range(seed, 1, 1024), seed);
     else if (kind == TEST_TRIANGLE_extreme)
         make_extreme(t, window, seed);
     else if (kind == TEST_TRIANGLE_degenerate)

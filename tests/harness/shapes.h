@@ -20,6 +20,8 @@ enum test_triangle_kind {
     TEST_TRIANGLE_sixteenths, /* on the 1/16 px grid */
     TEST_TRIANGLE_degenerate, /* collinear or equal vertices, or one ulp beside */
     TEST_TRIANGLE_far,        /* one vertex near, the others far: long slivers over the window */
+    TEST_TRIANGLE_screen,     /* as large as a screen */
+    TEST_TRIANGLE_sliver,     /* as long as a screen, the third vertex within 4 px of an edge */
     TEST_TRIANGLE_KINDS
 };
 

@@ -11,9 +11,9 @@ struct wide {
 };
 
 struct wide wide_product(uint64_t a, uint64_t b);
-struct wide wide_sum(struct wide a, struct wide b);          /* below 2^128 */
-struct wide wide_distance(struct wide a, struct wide b);     /* |a - b| */
-struct wide wide_scale(struct wide a, uint32_t k);           /* a * k below 2^128 */
-bool wide_at_most(struct wide a, struct wide b);             /* a <= b */
+struct wide wide_sum(struct wide a, struct wide b);      /* below 2^128 */
+struct wide wide_distance(struct wide a, struct wide b); /* |a - b| */
+struct wide wide_scale(struct wide a, uint32_t k);       /* a * k below 2^128 */
+bool wide_at_most(struct wide a, struct wide b);         /* a <= b */
 
 #endif

@@ -6,9 +6,9 @@
 
 void suite_fixed(void);
 
-static const int32_t ends[] = {INT32_MIN, INT32_MIN + 1, -65537, -65536, -65535, -32769, -32768,
-                               -2,        -1,            0,      1,      2,      32767,  32768,
-                               65535,     65536,         65537,  INT32_MAX - 1,  INT32_MAX};
+static const int32_t ends[] = {
+    INT32_MIN, INT32_MIN + 1, -65537, -65536, -65535, -32769, -32768,        -2,       -1, 0, 1,
+    2,         32767,         32768,  65535,  65536,  65537,  INT32_MAX - 1, INT32_MAX};
 #define ENDS (int)(sizeof ends / sizeof ends[0])
 
 static int32_t saturated(int64_t v)

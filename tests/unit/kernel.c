@@ -1,13 +1,11 @@
-/* tests/unit: fragment kernels, shipped ones and a user's: depth tests, byte order, the one-line
- * macro, a shader of one's own, a plain function, and a function of the barycentric weights. */
+/* tests/unit: fragment kernels, shipped ones and those of the one-line macro: depth tests and byte
+ * order. */
 #include "core/base/rgb565.h"
-#include "core/draw/shapes.h"
 #include "core/draw/triangle.h"
 #include "core/fragment/flat.h"
 #include "core/fragment/flat_shader.h"
 #include "core/fragment/gouraud.h"
 #include "core/fragment/gouraud_shader.h"
-#include "core/raster/triangle.h"
 #include "tests/harness/canvas.h"
 #include "tests/harness/shapes.h"
 #include "tests/oracle/triangle.h"
@@ -19,24 +17,24 @@ static struct test_canvas canvas, other;
 
 /* ---- kernels that are not shipped, by one line each ------------------------------------------- */
 
-#define ALL_TESTS(X) \
-    X(never, false) \
-    X(less, d < s) \
-    X(equal, d == s) \
-    X(lequal, d <= s) \
-    X(greater, d > s) \
-    X(notequal, d != s) \
-    X(gequal, d >= s) \
+#define ALL_TESTS(X)                                                                               \
+    X(never, false)                                                                                \
+    X(less, d < s)                                                                                 \
+    X(equal, d == s)                                                                               \
+    X(lequal, d <= s)                                                                              \
+    X(greater, d > s)                                                                              \
+    X(notequal, d != s)                                                                            \
+    X(gequal, d >= s)                                                                              \
     X(always, true)
 
-#define USER_KERNELS(test, condition) \
-    etch_kernel user_##test##_writes, user_##test##_keeps; \
-    ETCH_KERNEL(user_##test##_writes, etch_gouraud_shader, etch_depth_##test, true) \
-    ETCH_KERNEL(user_##test##_keeps, etch_gouraud_shader, etch_depth_##test, false) \
-    static bool expect_##test(uint16_t d, uint16_t s) \
-    { \
-        (void)d, (void)s; \
-        return condition; \
+#define USER_KERNELS(test, condition)                                                              \
+    etch_kernel user_##test##_writes, user_##test##_keeps;                                         \
+    ETCH_KERNEL(user_##test##_writes, etch_gouraud_shader, etch_depth_##test, true)                \
+    ETCH_KERNEL(user_##test##_keeps, etch_gouraud_shader, etch_depth_##test, false)                \
+    static bool expect_##test(uint16_t d, uint16_t s)                                              \
+    {                                                                                              \
+        (void)d, (void)s;                                                                          \
+        return condition;                                                                          \
     }
 ALL_TESTS(USER_KERNELS)
 
@@ -45,8 +43,7 @@ static const struct {
     bool (*expect)(uint16_t d, uint16_t s);
 } depth_kernels[] = {
 #define ROW(test, condition) {user_##test##_writes, user_##test##_keeps, expect_##test},
-    ALL_TESTS(ROW)
-};
+    ALL_TESTS(ROW)};
 
 static void random_vertices(struct etch_vertex v[3], enum test_triangle_kind kind, uint32_t *seed)
 {
@@ -102,9 +99,10 @@ static void seed_depths(const struct test_canvas *from, uint32_t seed)
             const uint32_t bits = test_random(&seed);
             const int32_t moved = d + (int32_t)(bits % 3) - 1;
 
-            canvas.surface.depth[at] = (uint16_t)(bits & 64 ? (int32_t)(bits >> 16)
-                                                  : moved < 0 ? 0
-                                                  : moved > UINT16_MAX ? UINT16_MAX : moved);
+            canvas.surface.depth[at] = (uint16_t)(bits & 64            ? (int32_t)(bits >> 16)
+                                                  : moved < 0          ? 0
+                                                  : moved > UINT16_MAX ? UINT16_MAX
+                                                                       : moved);
         }
     }
 }
@@ -124,14 +122,15 @@ static void compare_depth_kernel(painter *paint_triangle, const struct etch_vert
     seed_depths(&other, seed);
     for (y = w.y0; y < w.y1; y++)
         for (x = w.x0; x < w.x1; x++)
-            before[n++] = canvas.surface.depth[etch_surface_index(&canvas.surface, (int16_t)x,
-                                                                  (int16_t)y)];
+            before[n++] =
+                canvas.surface.depth[etch_surface_index(&canvas.surface, (int16_t)x, (int16_t)y)];
     paint(paint_triangle, &canvas, v, kernel);
     n = 0;
     for (y = w.y0; y < w.y1; y++) {
         for (x = w.x0; x < w.x1; x++) {
             const size_t at = etch_surface_index(&canvas.surface, (int16_t)x, (int16_t)y);
-            const bool drawn = oracle_triangle_covers(&t, x, y) && expect(other.surface.depth[at], before[n]);
+            const bool drawn = oracle_triangle_covers(&t, x, y) &&
+                               expect(other.surface.depth[at], before[n]);
 
             wrong += canvas.surface.pixels[at] !=
                      (drawn ? other.surface.pixels[at] : TEST_BACKGROUND);
@@ -308,123 +307,6 @@ static void flat_takes_vertex_0(void)
     }
 }
 
-/* ---- a user's own pixel work ----------------------------------------------------------------- */
-
-/* A shader of three small functions: a chequered flag in two colours. */
-struct chequer_paint {
-    struct etch_paint paint;
-    uint16_t color[2];
-};
-
-static inline void chequer_start(struct etch_fragment *f, const struct etch_paint *paint)
-{
-    (void)paint;
-    f->v[0] = (uint32_t)(f->x + f->y) & 1;
-}
-
-static inline void chequer_step(struct etch_fragment *f, const struct etch_paint *paint)
-{
-    (void)paint;
-    f->v[0] ^= 1;
-}
-
-static inline uint16_t chequer_color(const struct etch_fragment *f, const struct etch_paint *paint)
-{
-    return ((const struct chequer_paint *)paint)->color[f->v[0]];
-}
-
-static const struct etch_shader chequer = {chequer_start, chequer_step, chequer_color};
-etch_kernel chequer_kernel;
-ETCH_KERNEL(chequer_kernel, chequer, NULL, false)
-
-static void shader_of_ones_own(void)
-{
-    const struct chequer_paint flag = {{chequer_kernel}, {1, 2}};
-    const struct etch_point_q8 v[3] = {{0, 0}, {6 * 256, 0}, {0, 4 * 256}};
-    const struct etch_rect window = {0, 0, 7, 4};
-    struct etch_triangle t;
-
-    test_canvas_open(&canvas, window);
-    CHECK(etch_triangle_setup(&t, v));
-    etch_triangle_runs(&canvas.surface, &t, &flag.paint);
-    CHECK_PICTURE(&canvas, "ababa.."
-                           "baba..."
-                           "ab....."
-                           "b......");
-    CHECK_ONCE(&canvas);
-}
-
-/* A kernel without the template: exchanges background and ink. */
-static void invert_kernel(const struct etch_surface *s, int16_t y0, const struct etch_run *runs,
-                          uint8_t n, const struct etch_paint *paint)
-{
-    uint8_t i;
-
-    (void)paint;
-    for (i = 0; i < n; i++) {
-        uint16_t *row = s->pixels + etch_surface_index(s, runs[i].x0, (int16_t)(y0 + i));
-        int16_t x;
-
-        for (x = runs[i].x0; x < runs[i].x1; x++, row++)
-            *row = *row == TEST_BACKGROUND ? TEST_INK : TEST_BACKGROUND;
-    }
-}
-
-static void kernel_without_the_template(void)
-{
-    const struct etch_paint invert = {invert_kernel};
-    const struct etch_point_q8 v[3] = {{0, 0}, {4 * 256, 0}, {0, 4 * 256}};
-    const struct etch_rect window = {0, 0, 5, 4};
-    struct etch_triangle t;
-
-    test_canvas_open(&canvas, window);
-    etch_rect_fill(&canvas.surface, 1, 0, 2, 4, TEST_INK);
-    CHECK(etch_triangle_setup(&t, v));
-    etch_triangle_runs(&canvas.surface, &t, &invert);
-    CHECK_PICTURE(&canvas, "#...."
-                           "#.#.."
-                           "###.."
-                           ".##..");
-}
-
-/* The weights name the caller's vertices: each pixel in the letter of the nearest. */
-static uint16_t heaviest(void *context, int16_t x, int16_t y, const uint32_t b_q16[3])
-{
-    uint16_t best = 0, i;
-
-    CHECK(context == (void *)&canvas);
-    CHECK(x >= 0 && x < 9 && y >= 0 && y < 5);
-    for (i = 1; i < 3; i++)
-        if (b_q16[i] > b_q16[best])
-            best = i;
-    return (uint16_t)(best + 1);
-}
-
-static void function_of_the_weights(void)
-{
-    const struct etch_vertex a = {0, 0, 0, 0, 0, 0, 0}, b = {9 * 256, 0, 0, 0, 0, 0, 0};
-    const struct etch_vertex c = {0, 5 * 256, 0, 0, 0, 0, 0};
-    const struct etch_vertex *const abc[3] = {&a, &b, &c};
-    const struct etch_vertex *const bca[3] = {&b, &c, &a};
-    const struct etch_rect window = {0, 0, 9, 5};
-
-    test_canvas_open(&canvas, window);
-    etch_triangle_barycentric(&canvas.surface, abc, heaviest, &canvas);
-    CHECK_PICTURE(&canvas, "aaaabbbb."
-                           "aaabbb..."
-                           "cccc....."
-                           "ccc......"
-                           "c........");
-    CHECK_ONCE(&canvas);
-    test_canvas_wipe(&canvas);
-    etch_triangle_barycentric(&canvas.surface, bca, heaviest, &canvas);
-    CHECK_PICTURE(&canvas, "ccccaaaa."
-                           "cccaaa..."
-                           "bbbb....."
-                           "bbb......"
-                           "b........");
-}
-
 void suite_kernel(void)
 {
     RUN(every_depth_test_by_the_macro);
@@ -432,7 +314,4 @@ void suite_kernel(void)
     RUN(same_triangle_twice);
     RUN(swapped_kernels_swap_bytes);
     RUN(flat_takes_vertex_0);
-    RUN(shader_of_ones_own);
-    RUN(kernel_without_the_template);
-    RUN(function_of_the_weights);
 }

@@ -139,7 +139,8 @@ static void lines_full_of_ties(void)
         const int32_t k = test_range(&seed, 1, 12), m = 2 * test_range(&seed, 0, k - 1) + 1;
         const int32_t times = test_range(&seed, 1, i % 16 == 0 ? 32767 / (2 * k) : 5);
         const int32_t major = 2 * k * times, minor = m * times;
-        const int32_t x0 = test_range(&seed, w.x0 - 20, w.x1), y0 = test_range(&seed, w.y0 - 20, w.y1);
+        const int32_t x0 = test_range(&seed, w.x0 - 20, w.x1),
+                      y0 = test_range(&seed, w.y0 - 20, w.y1);
         const int32_t across = test_range(&seed, 0, 1) ? major : minor;
         const int32_t x1 = x0 + (test_range(&seed, 0, 1) ? across : -across);
         const int32_t y1 = y0 + (test_range(&seed, 0, 1) ? 1 : -1) * (major + minor - across);
@@ -153,7 +154,8 @@ static void lines_full_of_ties(void)
 /* Lines 65,535 long: the corners of the plane to one another and through the window. */
 static void longest_lines(void)
 {
-    static const int16_t ends[] = {INT16_MIN, INT16_MIN + 1, -1, 0, 1, 17, INT16_MAX - 1, INT16_MAX};
+    static const int16_t ends[] = {INT16_MIN, INT16_MIN + 1, -1,       0, 1,
+                                   17,        INT16_MAX - 1, INT16_MAX};
     int i;
 
     for (i = 0; i < 8 * 8 * 8 * 8 && !test_failed(); i++) {

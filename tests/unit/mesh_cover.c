@@ -74,10 +74,10 @@ static bool point_in(const struct corner_points *t, int32_t grid, uint32_t *seed
     const int32_t b1 = test_range(seed, 0, 65536 - b0);
     const int32_t b2 = 65536 - b0 - b1;
 
-    p->x = (int32_t)(((int64_t)t->p[0].x * b0 + (int64_t)t->p[1].x * b1 +
-                      (int64_t)t->p[2].x * b2) / 65536);
-    p->y = (int32_t)(((int64_t)t->p[0].y * b0 + (int64_t)t->p[1].y * b1 +
-                      (int64_t)t->p[2].y * b2) / 65536);
+    p->x = (int32_t)(((int64_t)t->p[0].x * b0 + (int64_t)t->p[1].x * b1 + (int64_t)t->p[2].x * b2) /
+                     65536);
+    p->y = (int32_t)(((int64_t)t->p[0].y * b0 + (int64_t)t->p[1].y * b1 + (int64_t)t->p[2].y * b2) /
+                     65536);
     p->x = p->x / grid * grid + (grid == 256 ? 128 : 0);
     p->y = p->y / grid * grid + (grid == 256 ? 128 : 0);
     return inside(t, *p);

@@ -226,8 +226,7 @@ static void subpixel_triangles(void)
 {
     static const etch_q16 one = ETCH_Q16_ONE;
     const struct etch_point_q16 upper[3] = {{one, one}, {3 * one, one}, {one, 3 * one}};
-    const struct etch_point_q16 lower[3] = {
-        {3 * one, one}, {3 * one, 3 * one}, {one, 3 * one}};
+    const struct etch_point_q16 lower[3] = {{3 * one, one}, {3 * one, 3 * one}, {one, 3 * one}};
     const struct etch_point_q16 half[3] = {
         {one / 2, one / 2}, {5 * one / 2, one / 2}, {one / 2, 5 * one / 2}};
 

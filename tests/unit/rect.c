@@ -30,8 +30,8 @@ static bool covers(struct box b, int32_t x, int32_t y)
 
 static bool on_outline(struct box b, int32_t x, int32_t y)
 {
-    return covers(b, x, y) && (x == b.x || x == (int32_t)b.x + b.w - 1 || y == b.y ||
-                               y == (int32_t)b.y + b.h - 1);
+    return covers(b, x, y) &&
+           (x == b.x || x == (int32_t)b.x + b.w - 1 || y == b.y || y == (int32_t)b.y + b.h - 1);
 }
 
 static void draw_fill(struct box b)

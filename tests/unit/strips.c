@@ -12,7 +12,10 @@
 
 void suite_strips(void);
 
-enum { WIDTH = 64, HEIGHT = 48 };
+enum {
+    WIDTH = 64,
+    HEIGHT = 48
+};
 
 static const struct etch_rect frame = {0, 0, WIDTH, HEIGHT};
 static struct test_canvas whole, part;
@@ -54,8 +57,8 @@ static void draw_2d(const struct etch_surface *s, int kind, uint32_t *seed)
 
 static void draw_3d(const struct etch_surface *s, int kind, uint32_t *seed)
 {
-    const enum test_triangle_kind shape =
-        (enum test_triangle_kind)test_range(seed, 0, TEST_TRIANGLE_KINDS - 1);
+    const enum test_triangle_kind shape = (enum test_triangle_kind)test_range(
+        seed, 0, TEST_TRIANGLE_KINDS - 1);
     struct etch_vertex vertex[3];
     const struct etch_vertex *const v[3] = {&vertex[0], &vertex[1], &vertex[2]};
     struct test_triangle t;
@@ -185,10 +188,9 @@ static void tiles_and_clips(void)
         const int16_t y0 = (int16_t)test_range(&state, 0, HEIGHT - 1);
         const struct etch_rect window = {x0, y0, (int16_t)test_range(&state, x0 + 1, WIDTH),
                                          (int16_t)test_range(&state, y0 + 1, HEIGHT)};
-        const struct etch_rect clip = {
-            (int16_t)(window.x0 + test_range(&state, -3, 9)),
-            (int16_t)(window.y0 + test_range(&state, -3, 9)),
-            (int16_t)(window.x1 - test_range(&state, -3, 9)), window.y1};
+        const struct etch_rect clip = {(int16_t)(window.x0 + test_range(&state, -3, 9)),
+                                       (int16_t)(window.y0 + test_range(&state, -3, 9)),
+                                       (int16_t)(window.x1 - test_range(&state, -3, 9)), window.y1};
 
         open_whole(seed);
         compare_part(window, seed % 2 == 0 ? window : clip, seed);
@@ -203,9 +205,10 @@ static void scissor_parts(void)
     for (seed = 20000; seed < 20000 + (uint32_t)TEST_COUNT(2000) && !test_failed(); seed++) {
         const int16_t x = (int16_t)test_range(&state, 0, WIDTH);
         const int16_t y = (int16_t)test_range(&state, 0, HEIGHT);
-        const struct etch_rect parts[4] = {
-            {INT16_MIN, INT16_MIN, x, y}, {x, INT16_MIN, INT16_MAX, y},
-            {INT16_MIN, y, x, INT16_MAX}, {x, y, INT16_MAX, INT16_MAX}};
+        const struct etch_rect parts[4] = {{INT16_MIN, INT16_MIN, x, y},
+                                           {x, INT16_MIN, INT16_MAX, y},
+                                           {INT16_MIN, y, x, INT16_MAX},
+                                           {x, y, INT16_MAX, INT16_MAX}};
         int i;
 
         open_whole(seed);

@@ -30,9 +30,14 @@ static void init_refuses(void)
     static const struct {
         struct etch_rect window;
         uint16_t stride;
-    } wrong[] = {{{0, 0, 0, 5}, 8},      {{0, 0, 5, 0}, 8},   {{5, 5, 4, 9}, 8},
-                 {{-1, 0, 4, 4}, 8},     {{0, -1, 4, 4}, 8},  {{0, 0, 9, 1}, 8},
-                 {{0, 0, INT16_MAX, 1}, INT16_MAX - 1},       {{INT16_MIN, 0, INT16_MAX, 1}, 65535}};
+    } wrong[] = {{{0, 0, 0, 5}, 8},
+                 {{0, 0, 5, 0}, 8},
+                 {{5, 5, 4, 9}, 8},
+                 {{-1, 0, 4, 4}, 8},
+                 {{0, -1, 4, 4}, 8},
+                 {{0, 0, 9, 1}, 8},
+                 {{0, 0, INT16_MAX, 1}, INT16_MAX - 1},
+                 {{INT16_MIN, 0, INT16_MAX, 1}, 65535}};
     const struct etch_rect good = {0, 0, 8, 8};
     struct etch_surface s;
     size_t i;

@@ -108,9 +108,12 @@ static void fill_kind(enum test_triangle_kind kind, int32_t count)
     }
 }
 
-/* One case a kind: 20,000 triangles each of ten kinds, in all six vertex orders. */
-#define KIND(name) \
-    static void triangles_##name(void) { fill_kind(TEST_TRIANGLE_##name, TEST_COUNT(20000)); }
+/* One case a kind: 20,000 triangles each of twelve kinds, in all six vertex orders. */
+#define KIND(name)                                                                                 \
+    static void triangles_##name(void)                                                             \
+    {                                                                                              \
+        fill_kind(TEST_TRIANGLE_##name, TEST_COUNT(20000));                                        \
+    }
 KIND(random)
 KIND(thin)
 KIND(tiny)
@@ -121,6 +124,8 @@ KIND(corners)
 KIND(sixteenths)
 KIND(degenerate)
 KIND(far)
+KIND(screen)
+KIND(sliver)
 
 /* etch_triangle_fill: int16 vertices name pixels and stand at their centres. */
 static void int16_vertices_stand_at_centres(void)
@@ -234,10 +239,12 @@ void suite_triangle(void)
     RUN(triangles_sixteenths);
     RUN(triangles_degenerate);
     RUN(triangles_far);
+    RUN(triangles_screen);
+    RUN(triangles_sliver);
     RUN(int16_vertices_stand_at_centres);
     RUN(q16_vertices_are_snapped);
     RUN(setup_tells_area_and_winding);
-    test_print_count("", TEST_COUNT(20000) * 10,
-                     " triangles of ten kinds in six vertex orders, no differing pixel");
+    test_print_count("", TEST_COUNT(20000) * 12,
+                     " triangles of twelve kinds in six vertex orders, no differing pixel");
     test_print_count("", TEST_COUNT(20000) * 2, " by int16 and 16.16 vertices");
 }
