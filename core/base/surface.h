@@ -40,4 +40,15 @@ ETCH_INLINE size_t etch_surface_index(const struct etch_surface *s, int16_t x, i
     return (size_t)(y - s->window.y0) * s->stride + (size_t)(x - s->window.x0);
 }
 
+/* Address of column 0 of frame row y in a plane, where pixel x stands 2 x bytes further on. The
+ * window may begin right of column 0: then this is an address that is never read, and a number
+ * rather than a pointer. */
+ETCH_INLINE uintptr_t etch_surface_row(const struct etch_surface *s, const uint16_t *plane,
+                                       int16_t y)
+{
+    const size_t down = (size_t)(y - s->window.y0) * s->stride;
+
+    return (uintptr_t)(plane + down) - (uintptr_t)s->window.x0 * 2;
+}
+
 #endif

@@ -7,12 +7,17 @@ static void clear(const struct etch_surface *s, uint16_t *plane, uint16_t value)
 {
     const struct etch_rect c = s->clip;
     const uint16_t width = (uint16_t)(c.x1 - c.x0);
+    int16_t rows = (int16_t)(c.y1 - c.y0);
 
     if (etch_rect_is_empty(c))
         return;
     plane += etch_surface_index(s, c.x0, c.y0);
+    if (width == s->stride) { /* rows without a gap are one */
+        etch_fill(plane, (size_t)width * (size_t)rows, value);
+        return;
+    }
     etch_fill(plane, width, value);
-    for (int16_t n = (int16_t)(c.y1 - c.y0 - 1); n > 0; n--) {
+    while (--rows > 0) {
         plane += s->stride;
         etch_fill(plane, width, value);
     }

@@ -13,7 +13,7 @@ ETCH_INLINE bool setup_visible(struct etch_triangle *t, const struct etch_surfac
     const struct etch_point_q8 p[3] = {
         {v[0]->x_q8, v[0]->y_q8}, {v[1]->x_q8, v[1]->y_q8}, {v[2]->x_q8, v[2]->y_q8}};
 
-    return etch_triangle_setup(t, p) && etch_triangle_is_visible(t, s->clip);
+    return etch_triangle_setup(t, p) && etch_triangle_is_visible(t, &s->clip);
 }
 
 /* The planes by the basis, or exactly where there is none or it refuses. */

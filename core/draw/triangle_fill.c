@@ -10,7 +10,7 @@ static void fill(const struct etch_surface *s, const struct etch_point_q8 v[3], 
     const struct etch_flat_paint paint = {{etch_kernel_flat}, color};
     struct etch_triangle t;
 
-    if (etch_triangle_setup(&t, v) && etch_triangle_is_visible(&t, s->clip))
+    if (etch_triangle_setup(&t, v))
         etch_triangle_runs(s, &t, &paint.paint);
 }
 

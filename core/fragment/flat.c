@@ -5,9 +5,14 @@
 void etch_kernel_flat(const struct etch_surface *surface, int16_t y0, const struct etch_run *runs,
                       uint8_t n, const struct etch_paint *paint)
 {
-    const uint16_t color = ((const struct etch_flat_paint *)paint)->color;
+    const uint32_t twice = ((const struct etch_flat_paint *)paint)->color * UINT32_C(0x10001);
+    const struct etch_run *const end = runs + n;
+    const uintptr_t stride = (uintptr_t)surface->stride * 2;
+    uintptr_t row = etch_surface_row(surface, surface->pixels, y0);
 
-    for (uint8_t i = 0; i < n; i++)
-        etch_fill(surface->pixels + etch_surface_index(surface, runs[i].x0, (int16_t)(y0 + i)),
-                  (uint16_t)(runs[i].x1 - runs[i].x0), color);
+    for (; runs != end; runs++, row += stride) {
+        const uint16_t x0 = (uint16_t)runs->x0, x1 = (uint16_t)runs->x1;
+
+        etch_fill_row((uint16_t *)(row + (uintptr_t)x0 * 2), (uint32_t)x1 - x0, twice);
+    }
 }

@@ -27,7 +27,7 @@ static int32_t reciprocal_of(uint32_t d)
 bool etch_basis_setup(struct etch_basis *b, const struct etch_triangle *t)
 {
     const struct etch_point_q8 *p = t->p;
-    const int32_t sign = t->side, width = t->most - t->least, height = p[2].y - p[0].y;
+    const int32_t sign = t->side, width = (t->x1 - t->x0) * 256 + 255, height = p[2].y - p[0].y;
     uint32_t d = (uint32_t)(t->area & UINT32_MAX);
     int8_t shift = 0;
 
