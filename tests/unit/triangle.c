@@ -220,7 +220,7 @@ static void setup_tells_area_and_winding(void)
         for (k = 0; k < 3; k++) {
             CHECK_EQ(setup.p[k].x, t.x[setup.order[k]]);
             CHECK_EQ(setup.p[k].y, t.y[setup.order[k]]);
-            CHECK(setup.least <= t.x[k] && t.x[k] <= setup.most);
+            CHECK(setup.x0 * 256 - 128 <= t.x[k] && t.x[k] <= setup.x1 * 256 + 128);
             CHECK(k == 0 || setup.p[k - 1].y < setup.p[k].y ||
                   (setup.p[k - 1].y == setup.p[k].y && setup.p[k - 1].x <= setup.p[k].x));
         }
