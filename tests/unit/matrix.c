@@ -52,8 +52,8 @@ static void sine_of_every_angle(void)
         CHECK(distance(etch_sin_q16(angle) * (INT64_C(1) << 44), exact) <=
               (INT64_C(1) << 43) + (INT64_C(1) << 31));
         CHECK_EQ(etch_cos_q30(angle), etch_sin_q30((uint16_t)(a + 0x4000)));
-        CHECK_EQ(etch_sin_q30((uint16_t)(0x8000 - a)), etch_sin_q30(angle));
-        CHECK_EQ(etch_sin_q30((uint16_t)(0x10000 - a)), -etch_sin_q30(angle));
+        CHECK_EQ(etch_sin_q30((uint16_t)(0x18000 - a)), etch_sin_q30(angle));
+        CHECK_EQ(etch_sin_q30((uint16_t)(0x20000 - a)), -etch_sin_q30(angle));
     }
     CHECK_EQ(etch_sin_q16(0), 0);
     CHECK_EQ(etch_sin_q30(0x4000), INT32_C(1) << 30);

@@ -165,16 +165,15 @@ static bool is_placed(int32_t position, int64_t size, int64_t centre, int64_t v,
     return twice_error > -w && twice_error <= w;
 }
 
-/* depth = (z + w) / 2w * (2^32 - 2^16) rounded half up. */
+/* depth = N / 2w rounded half up, N = (z + w) (2^32 - 2^16): that is
+ * 2 w depth - w <= N < 2 w depth + w. */
 static bool is_depth(uint32_t depth, int64_t z, int64_t w)
 {
-    const struct wide got = wide_product((uint64_t)depth * 2 + 1, (uint64_t)w);
-    const struct wide exact = wide_product((uint64_t)(z + w), UINT64_C(0xFFFF0000));
+    const struct wide n = wide_product((uint64_t)(z + w), UINT64_C(0xFFFF0000));
+    const struct wide above = wide_product((uint64_t)depth * 2 + 1, (uint64_t)w);
     const struct wide more = {0, (uint64_t)w * 2};
-    const struct wide next = wide_sum(exact, more);
 
-    /* 2 w depth - w <= exact < 2 w depth + w, with exact doubled nowhere: exact is N * 2w / 2w */
-    return !wide_at_most(got, exact) && wide_at_most(got, next);
+    return !wide_at_most(above, n) && wide_at_most(above, wide_sum(n, more));
 }
 
 static void check_projection(const struct etch_viewport *v, const struct etch_clip_vertex *in)
