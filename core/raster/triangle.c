@@ -196,8 +196,11 @@ void etch_triangle_runs(const struct etch_surface *surface, const struct etch_tr
             return;
         runs_short(t, runs);
         paint->kernel(surface, (int16_t)t->y0, runs, (uint8_t)(t->y1 - t->y0), paint);
-    } else if (etch_triangle_is_visible(t, clip)) {
-        runs_tall(surface, t, paint, t->y0 > clip->y0 ? t->y0 : clip->y0,
-                  t->y1 < clip->y1 ? t->y1 : clip->y1, inside ? NULL : clip);
+    } else {
+        const int32_t y = t->y0 > clip->y0 ? t->y0 : clip->y0;
+        const int32_t y1 = t->y1 < clip->y1 ? t->y1 : clip->y1;
+
+        if (y < y1 && t->x0 < clip->x1 && t->x1 > clip->x0)
+            runs_tall(surface, t, paint, y, y1, inside ? NULL : clip);
     }
 }
