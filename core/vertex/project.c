@@ -2,14 +2,14 @@
  * once a vertex. See viewport.h.
  *
  * One reciprocal serves the three quotients. It is a little too small, so each quotient is at
- * most one too small, and its remainder, exact in modular 32-bit arithmetic, says which. Beyond
- * w = 2048.0 remainders do not fit and the 64-bit divide does the same. */
+ * most one too small, and its remainder, exact in modular 32-bit arithmetic, says which. From
+ * w = 16384.0 on remainders do not fit and the 64-bit divide does the same. */
 #include "viewport.h"
 
 /* ---- one reciprocal ---------------------------------------------------------------------------- */
 
 struct divisor {
-    uint32_t w;          /* 1 .. 2^27 - 1 */
+    uint32_t w;          /* 1 .. 2^30 - 1 */
     uint32_t reciprocal; /* 2^63 / (w << shift), at most 2^-26 of it too small */
     uint8_t shift;       /* w << shift is in 2^31 .. 2^32 - 1 */
 };
@@ -97,7 +97,7 @@ static int32_t place_turned(const struct divisor *d, int32_t size, etch_q16 v)
 /* v / 2w of 65535 in 16.16, v = z + w = 0 .. 2w: the whole part, then 16 bits of fraction. */
 static uint32_t depth(const struct divisor *d, uint32_t v)
 {
-    const uint32_t whole_w = d->w * 2;                            /* below 2^28 */
+    const uint32_t whole_w = d->w * 2;                            /* remainders are below 2 of it */
     const uint32_t ratio = mul_high(v << (d->shift - 1), d->reciprocal);
     uint32_t high = (ratio - ((ratio + 65535) >> 16)) >> 15;      /* 65535 / 65536 of it */
     uint32_t rest = etch_wrap_sub(etch_wrap_mul(v, 65535), etch_wrap_mul(high, whole_w));
@@ -116,7 +116,7 @@ static uint32_t depth(const struct divisor *d, uint32_t v)
     return high * 65536 + low + (rest >= d->w ? 1 : 0);
 }
 
-/* ---- w of 2048.0 and more ------------------------------------------------------------------------- */
+/* ---- w of 16384.0 and more ------------------------------------------------------------------------- */
 
 /* Products below 2^16 * 2^31 * 2^7. */
 static int32_t place_wide(int32_t size, etch_q16 v, etch_q16 w)
@@ -149,7 +149,7 @@ void etch_viewport_project(const struct etch_viewport *v, const struct etch_clip
                            : in->z <= -in->w ? 0
                                              : etch_wrap_add((uint32_t)in->z, (uint32_t)in->w);
 
-    if (in->w < INT32_C(1) << 27) {
+    if (in->w < INT32_C(1) << 30) {
         const struct divisor d = divisor((uint32_t)in->w);
 
         out->x_q8 = place(&d, (int32_t)r->x1 - r->x0, in->x);
