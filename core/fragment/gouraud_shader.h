@@ -29,7 +29,7 @@ ETCH_INLINE uint16_t etch_gouraud_color(const struct etch_fragment *f,
                                         const struct etch_paint *paint)
 {
     (void)paint;
-    return (uint16_t)(f->v[0] >> 27 << 11 | f->v[1] >> 26 << 5 | f->v[2] >> 27);
+    return (uint16_t)((f->v[0] >> 27 << 6 | f->v[1] >> 26) << 5 | f->v[2] >> 27);
 }
 
 ETCH_INLINE uint16_t etch_gouraud_color_swapped(const struct etch_fragment *f,

@@ -75,33 +75,75 @@ struct etch_depth_paint {
     struct etch_plane z; /* 16.16 + 1/2: the depth of a pixel is the upper half */
 };
 
-/* The pixels of one run without a depth plane. */
-ETCH_INLINE void etch_shade_run(uint16_t *pixel, uint16_t n, struct etch_fragment *f,
+/* The pixels of one run without a depth plane, from the fragment's on. */
+ETCH_INLINE void etch_shade_run(uint16_t *pixel, uint32_t n, struct etch_fragment *f,
                                 const struct etch_paint *paint, const struct etch_shader shader)
 {
-    for (; n != 0; n--) {
+    uint16_t *const end = pixel + n;
+
+    while (pixel != end) {
         *pixel++ = shader.color(f, paint);
         shader.step(f, paint);
     }
 }
 
-/* The same with one: colour is asked for only where the test passes. */
-ETCH_INLINE void etch_shade_depth_run(uint16_t *pixel, uint16_t *stored, uint16_t n, uint32_t z,
-                                      uint32_t dz, struct etch_fragment *f,
-                                      const struct etch_paint *paint,
+/* The first pixel from `stored` on that passes, or end; *z follows. Four at a time, because most
+ * pixels of a deep scene fail here. */
+ETCH_INLINE uint16_t *etch_depth_scan(uint16_t *stored, const uint16_t *end, uint32_t *z,
+                                      uint32_t dz, etch_depth_test *passes)
+{
+    uint32_t depth = *z;
+
+    for (; end - stored >= 4; stored += 4) {
+        if (passes((uint16_t)(depth >> 16), stored[0]))
+            break;
+        depth = etch_wrap_add(depth, dz);
+        if (passes((uint16_t)(depth >> 16), stored[1])) {
+            stored += 1;
+            break;
+        }
+        depth = etch_wrap_add(depth, dz);
+        if (passes((uint16_t)(depth >> 16), stored[2])) {
+            stored += 2;
+            break;
+        }
+        depth = etch_wrap_add(depth, dz);
+        if (passes((uint16_t)(depth >> 16), stored[3])) {
+            stored += 3;
+            break;
+        }
+        depth = etch_wrap_add(depth, dz);
+    }
+    for (; stored != end && !passes((uint16_t)(depth >> 16), *stored); stored++)
+        depth = etch_wrap_add(depth, dz);
+    *z = depth;
+    return stored;
+}
+
+/* The same with one: scans to the first pixel that passes and shades while pixels pass, so that
+ * what fails costs no colour. `to_pixel` leads from a depth's address to its pixel's. */
+ETCH_INLINE void etch_shade_depth_run(uint16_t *stored, uintptr_t to_pixel, int16_t x0, int16_t x1,
+                                      int16_t y, const struct etch_paint *paint,
                                       const struct etch_shader shader, etch_depth_test *passes,
                                       const bool writes)
 {
-    for (; n != 0; n--, pixel++, stored++) {
-        const uint16_t depth = (uint16_t)(z >> 16);
+    const struct etch_plane *const plane = &((const struct etch_depth_paint *)paint)->z;
+    const uint32_t dz = plane->dx;
+    const uint16_t *const end = stored + (x1 - x0);
+    uint32_t z = etch_plane_at(plane, x0, y);
+    struct etch_fragment f = {{0, 0, 0, 0}, x0, y};
 
-        if (passes(depth, *stored)) {
+    while ((stored = etch_depth_scan(stored, end, &z, dz, passes)) != end) {
+        f.x = (int16_t)(x1 - (end - stored));
+        shader.start(&f, paint);
+        do {
             if (writes)
-                *stored = depth;
-            *pixel = shader.color(f, paint);
-        }
-        z = etch_wrap_add(z, dz);
-        shader.step(f, paint);
+                *stored = (uint16_t)(z >> 16);
+            *(uint16_t *)((uintptr_t)stored + to_pixel) = shader.color(&f, paint);
+            shader.step(&f, paint);
+            z = etch_wrap_add(z, dz);
+            stored++;
+        } while (stored != end && passes((uint16_t)(z >> 16), *stored));
     }
 }
 
@@ -111,23 +153,24 @@ ETCH_INLINE void etch_shade_runs(const struct etch_surface *s, int16_t y0,
                                  const struct etch_paint *paint, const struct etch_shader shader,
                                  etch_depth_test *passes, const bool writes)
 {
-    for (uint8_t i = 0; i < n; i++) {
-        const struct etch_run run = runs[i];
-        const uint16_t count = (uint16_t)(run.x1 - run.x0);
-        const size_t at = etch_surface_index(s, run.x0, (int16_t)(y0 + i));
-        struct etch_fragment f = {{0, 0, 0, 0}, run.x0, (int16_t)(y0 + i)};
+    const struct etch_run *const end = runs + n;
+    const uintptr_t stride = (uintptr_t)s->stride * 2;
+    uintptr_t row = etch_surface_row(s, passes != NULL ? s->depth : s->pixels, y0);
+    const uintptr_t to_pixel = (uintptr_t)s->pixels - (uintptr_t)s->depth;
 
-        if (count == 0)
+    for (int16_t y = y0; runs != end; runs++, y++, row += stride) {
+        const int16_t x0 = runs->x0, x1 = runs->x1;
+        uint16_t *const first = (uint16_t *)(row + (uintptr_t)x0 * 2);
+
+        if (x0 == x1)
             continue;
-        shader.start(&f, paint);
         if (passes != NULL) {
-            const struct etch_plane *plane = &((const struct etch_depth_paint *)paint)->z;
-
-            etch_shade_depth_run(s->pixels + at, s->depth + at, count,
-                                 etch_plane_at(plane, f.x, f.y), plane->dx, &f, paint, shader,
-                                 passes, writes);
+            etch_shade_depth_run(first, to_pixel, x0, x1, y, paint, shader, passes, writes);
         } else {
-            etch_shade_run(s->pixels + at, count, &f, paint, shader);
+            struct etch_fragment f = {{0, 0, 0, 0}, x0, y};
+
+            shader.start(&f, paint);
+            etch_shade_run(first, (uint32_t)(x1 - x0), &f, paint, shader);
         }
     }
 }
