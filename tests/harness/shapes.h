@@ -21,7 +21,7 @@ enum test_triangle_kind {
     TEST_TRIANGLE_degenerate, /* collinear or equal vertices, or one ulp beside */
     TEST_TRIANGLE_far,        /* one vertex near, the others far: long slivers over the window */
     TEST_TRIANGLE_screen,     /* as large as a screen */
-    TEST_TRIANGLE_sliver,     /* as long as a screen, the third vertex within 4 px of an edge */
+    TEST_TRIANGLE_sliver,     /* as long as a screen, 1/256 .. 4 px thick, over a pixel centre */
     TEST_TRIANGLE_KINDS
 };
 
