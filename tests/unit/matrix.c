@@ -298,6 +298,20 @@ static void look_at_rows_are_unit_vectors(void)
     CHECK(checked > n - 10);
 }
 
+/* An up vector 2^-20 of a radian beside the view is enough, and one exactly on it refused. */
+static void look_at_needs_little(void)
+{
+    static const struct etch_vector eye = {0, 0, 0}, target = {0, 0, -(INT32_C(1) << 24)};
+    struct etch_vector up = {0, 0, INT32_C(1) << 24};
+    struct etch_matrix m, one;
+
+    CHECK_EQ(etch_matrix_look_at(&m, &eye, &target, &up), ETCH_EINVAL);
+    up.y = 16;
+    CHECK_EQ(etch_matrix_look_at(&m, &eye, &target, &up), ETCH_OK);
+    etch_matrix_identity(&one);
+    CHECK(same(&m, &one));
+}
+
 static void look_at_refuses(void)
 {
     static const struct etch_vector zero = {0, 0, 0}, ahead = {0, 0, -65536};
@@ -459,6 +473,7 @@ void suite_matrix(void)
     RUN(rotations_agree);
     RUN(rotation_about_an_axis);
     RUN(look_at_rows_are_unit_vectors);
+    RUN(look_at_needs_little);
     RUN(look_at_refuses);
     RUN(perspective_is_rounded);
     RUN(perspective_by_angle);

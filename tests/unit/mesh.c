@@ -410,6 +410,60 @@ static void vertex_functions_color(void)
     }
 }
 
+static int64_t doubled_area(const struct etch_vertex *a, const struct etch_vertex *b,
+                            const struct etch_vertex *c)
+{
+    return (int64_t)(b->x_q8 - a->x_q8) * (c->y_q8 - a->y_q8) -
+           (int64_t)(b->y_q8 - a->y_q8) * (c->x_q8 - a->x_q8);
+}
+
+/* Convex quadrilaterals with a corner a hair outside the line through its neighbours: snapping
+ * makes it reflex as often as not. No triangle of the fan turns over, and they sum to the
+ * snapped outline, whichever corner comes first. */
+static void fans_do_not_fold(void)
+{
+    static const struct etch_rect square = {0, 0, 256, 256};
+    const int32_t w = INT32_C(1) << 24; /* 512 units of x or y are 1/256 px */
+    const struct etch_assembly assembly = assembly_for(&stored.sink, square);
+    uint32_t seed = 6;
+    int32_t n, reflex = 0;
+
+    for (n = 0; n < TEST_COUNT(50000); n++) {
+        const int32_t x = test_range(&seed, w / 9, w), y = test_range(&seed, -w / 3, w / 3);
+        const int32_t part = test_range(&seed, 1, 255), hair = test_range(&seed, 0, 300);
+        const struct etch_clip_vertex corner[4] = {
+            {0, 0, 0, w, 0, 0, 0, 0},
+            {x / 256 * part, y / 256 * part - hair, 0, w, 0, 0, 0, 0},
+            {x, y, 0, w, 0, 0, 0, 0},
+            {x / 2, y + w / 3, 0, w, 0, 0, 0, 0}};
+        struct etch_clip_vertex turned[4];
+        struct etch_vertex v[4];
+        int64_t sum = 0;
+        int i;
+
+        for (i = 0; i < 4; i++) {
+            turned[i] = corner[(i + n) % 4];
+            etch_viewport_project(&assembly.viewport, &turned[i], &v[i]);
+        }
+        const int64_t outline = doubled_area(&v[0], &v[1], &v[2]) +
+                                doubled_area(&v[0], &v[2], &v[3]);
+
+        store_init(&stored);
+        etch_assemble_fan(&assembly, turned, 4);
+        for (i = 0; i < stored.n; i++) {
+            const struct etch_vertex *t = stored.triangle[i].v;
+            const int64_t area = doubled_area(&t[0], &t[1], &t[2]);
+
+            CHECK((area < 0) == (outline < 0));
+            sum += area;
+        }
+        CHECK_EQ(sum, outline);
+        for (i = 0; i < 4; i++)
+            reflex += (doubled_area(&v[i], &v[(i + 1) % 4], &v[(i + 2) % 4]) > 0) != (outline > 0);
+    }
+    CHECK(reflex > n / 20);
+}
+
 /* The rasterising sink draws what the painter draws. */
 static void raster_sink_paints(void)
 {
@@ -443,5 +497,6 @@ void suite_mesh(void)
     RUN(wrong_indices_are_skipped);
     RUN(small_buffers_are_refused);
     RUN(vertex_functions_color);
+    RUN(fans_do_not_fold);
     RUN(raster_sink_paints);
 }
