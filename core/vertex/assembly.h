@@ -23,8 +23,9 @@ void etch_assemble_triangle(const struct etch_assembly *assembly,
                             const struct etch_clip_vertex v[3]);
 
 /* The last part: projects the convex polygon v[0 .. n-1], n = 3 .. ETCH_CLIP_MAX, and hands it
- * on as a fan. The fan's first vertex is the first one from which no triangle of the
- * snapped polygon turns over, so rounding makes neither gaps nor overlaps. */
+ * on as a fan. Rounding to 1/256 px can turn a flat corner inwards; the fan starts at the first
+ * corner from which no triangle turns over, so that it covers the snapped outline and each
+ * pixel once. (At v[0] if there is none, which takes two such corners.) */
 void etch_assemble_fan(const struct etch_assembly *assembly, const struct etch_clip_vertex *v,
                        uint8_t n);
 

@@ -1,8 +1,7 @@
-/* tests/unit: the mesh pipeline: what reaches the sink, and the pixels that clipped meshes cover. */
-#include "core/draw/mesh.h"
+/* tests/unit: the mesh pipeline: what reaches the sink. */
 #include "core/fragment/flat.h"
-#include "core/raster/triangle.h"
 #include "tests/harness/canvas.h"
+#include "tests/unit/mesh_parts.h"
 
 void suite_mesh(void);
 
@@ -32,6 +31,7 @@ static void store(struct etch_sink *sink, const struct etch_vertex *const v[3])
     s->n++;
 }
 
+static struct test_canvas canvas;
 static struct store_sink stored, other;
 
 static void store_init(struct store_sink *s)
@@ -58,197 +58,7 @@ static bool same_stream(const struct store_sink *a, const struct store_sink *b)
     return true;
 }
 
-/* ---- a sink that counts pixels ------------------------------------------------------------------ */
-
-static struct test_canvas canvas;
-
-/* Adds 1 to each pixel. */
-static void count_pixels(struct etch_sink *sink, const struct etch_vertex *const v[3])
-{
-    const struct etch_point_q8 p[3] = {{v[0]->x_q8, v[0]->y_q8}, {v[1]->x_q8, v[1]->y_q8},
-                                       {v[2]->x_q8, v[2]->y_q8}};
-    struct etch_triangle t;
-    struct test_run_log log;
-    struct test_run_paint paint = test_run_paint(&log, 1);
-
-    (void)sink;
-    paint.count = true;
-    if (etch_triangle_setup(&t, p))
-        etch_triangle_runs(&canvas.surface, &t, &paint.paint);
-}
-
-/* ---- meshes ------------------------------------------------------------------------------------- */
-
-/* An octahedron: six vertices on the axes, normals outwards, each face counter-clockwise. */
-static const int16_t octa_positions[] = {1000, 0, 0, -1000, 0, 0, 0, 1000, 0,
-                                         0, -1000, 0, 0, 0, 1000, 0, 0, -1000};
-static const int8_t octa_normals[] = {127, 0, 0, -127, 0, 0, 0, 127, 0, 0, -127, 0, 0, 0, 127,
-                                      0, 0, -127};
-static const uint16_t octa_indices[] = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4,
-                                        2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
-static const struct etch_mesh octahedron = {octa_positions, octa_normals, NULL, octa_indices,
-                                            6, 8, 1000, 10};
-
-#define GRID 17
-
-static int16_t grid_positions[GRID * GRID * 3];
-static uint8_t grid_colors[GRID * GRID * 3];
-static uint16_t grid_indices[(GRID - 1) * (GRID - 1) * 6];
-static const struct etch_mesh grid = {grid_positions, NULL, grid_colors, grid_indices,
-                                      GRID * GRID, (GRID - 1) * (GRID - 1) * 2, 32767, 0};
-
-/* A square in the plane y = 0, +-size, triangles facing up, in uneven steps, diagonals both ways. */
-static void make_grid(int32_t size, uint32_t *seed)
-{
-    int32_t i, x, z;
-
-    for (i = 0; i < GRID * GRID; i++) {
-        const int32_t shake = size / GRID / 3;
-        const bool border = i % GRID == 0 || i % GRID == GRID - 1 || i < GRID ||
-                            i >= GRID * (GRID - 1);
-        const int32_t dx = border ? 0 : test_range(seed, -shake, shake);
-        const int32_t dz = border ? 0 : test_range(seed, -shake, shake);
-
-        grid_positions[3 * i] = (int16_t)(size * 2 * (i % GRID) / (GRID - 1) - size + dx);
-        grid_positions[3 * i + 1] = 0;
-        grid_positions[3 * i + 2] = (int16_t)(size * 2 * (i / GRID) / (GRID - 1) - size + dz);
-        grid_colors[3 * i] = (uint8_t)(i * 7);
-        grid_colors[3 * i + 1] = (uint8_t)(i * 31);
-        grid_colors[3 * i + 2] = (uint8_t)i;
-    }
-    for (z = 0; z < GRID - 1; z++) {
-        for (x = 0; x < GRID - 1; x++) {
-            uint16_t *t = &grid_indices[(z * (GRID - 1) + x) * 6];
-            const uint16_t a = (uint16_t)(z * GRID + x), b = (uint16_t)(a + 1);
-            const uint16_t c = (uint16_t)(a + GRID), d = (uint16_t)(c + 1);
-            const bool turn = test_range(seed, 0, 1) == 0;
-            const uint16_t one[6] = {a, c, b, b, c, d}, two[6] = {a, c, d, a, d, b};
-
-            for (i = 0; i < 6; i++)
-                t[i] = turn ? one[i] : two[i];
-        }
-    }
-}
-
-static struct etch_mesh_vertex buffer[GRID * GRID];
-
-/* Perspective * camera, which must be possible. */
-static struct etch_matrix camera(const struct etch_vector *eye, const struct etch_vector *target,
-                                 etch_q16 near, etch_q16 far)
-{
-    static const struct etch_vector up = {0, 65536, 0};
-    struct etch_matrix view, m;
-
-    CHECK_EQ(etch_matrix_look_at(&view, eye, target, &up), ETCH_OK);
-    CHECK_EQ(etch_matrix_perspective(&m, 0x2800, ETCH_Q16(4, 3), near, far), ETCH_OK);
-    CHECK_EQ(etch_matrix_multiply(&m, &m, &view), ETCH_OK);
-    return m;
-}
-
-static struct etch_assembly assembly_for(struct etch_sink *sink, struct etch_rect rect)
-{
-    struct etch_assembly a = {.cull = ETCH_CULL_NONE, .flat = false, .sink = sink};
-
-    CHECK_EQ(etch_viewport_init(&a.viewport, rect), ETCH_OK);
-    return a;
-}
-
 /* ---- cases -------------------------------------------------------------------------------------- */
-
-static const struct etch_rect screen = {0, 0, 64, 48};
-
-/* The eye stands on a floor that reaches behind it and past every guard plane: every pixel that
- * sees the floor is drawn once, whatever the triangles are. The floor ends beyond the far plane
- * (its edge is a straight line on the screen); rows clear of that line by 1/16 px must be full
- * or empty. */
-static void floor_covers_each_pixel_once(void)
-{
-    uint32_t seed = 1;
-    int32_t n, drawn = 0;
-
-    test_canvas_open(&canvas, screen);
-    for (n = 0; n < TEST_COUNT(400) && !test_failed(); n++) {
-        struct etch_sink sink = {count_pixels};
-        const struct etch_assembly assembly = assembly_for(&sink, screen);
-        const etch_q16 height = 1 + (int32_t)(test_random(&seed) >> test_range(&seed, 12, 24));
-        const etch_q16 near = 1 + (height >> test_range(&seed, 1, 5));
-        const struct etch_vector eye = {test_range(&seed, -65536, 65536), height,
-                                        test_range(&seed, -65536, 65536)};
-        const struct etch_vector level = {eye.x + test_range(&seed, -65536, 65536), height,
-                                          eye.z + 65536};
-        const etch_q16 far = 200 * 65536;
-        const struct etch_matrix m = camera(&eye, &level, near, far);
-        struct etch_mesh_stage stage;
-        int32_t x, y, wrong = 0;
-
-        make_grid(32767, &seed);
-        etch_mesh_stage_init(&stage, &grid, &m, etch_vertex_plain, NULL);
-        test_canvas_wipe(&canvas);
-        CHECK_EQ(etch_mesh_draw(&stage, &assembly, buffer, GRID * GRID), ETCH_OK);
-        for (y = 0; y < 48; y++) {
-            /* the row's lower edge sees the floor at `depth` = height * focal / (y - 24): the
-             * floor is there if near < depth < far. focal in px = 24 * m11. */
-            const int64_t focal = (int64_t)m.m[1][1] * 24;
-            const int64_t below = 2 * y + 1 - 48; /* half px under the horizon */
-            const bool full = below > 0 && 2 * focal * height / 65536 * 17 / 16 < far * below &&
-                              2 * focal * height / 65536 * 15 / 16 > near * below;
-            const bool empty = below <= 0 ||
-                               2 * focal * height / 65536 * 15 / 16 > far * below ||
-                               2 * focal * height / 65536 * 17 / 16 < near * below;
-
-            for (x = 0; x < 64; x++) {
-                const int32_t times = test_canvas_at(&canvas, x, y) - TEST_BACKGROUND;
-
-                wrong += times > 1 || (full && times != 1) || (empty && times != 0);
-                drawn += times;
-            }
-        }
-        CHECK_INSIDE(&canvas);
-        if (!CHECK_EQ(wrong, 0)) {
-            test_note("height", height);
-            test_note("near", near);
-        }
-    }
-    test_print_count("", drawn, " pixels of floors through the eye, each drawn once");
-}
-
-/* A closed convex body: the faces that are kept cover the outline once, those culled cover the
- * same again, however close the eye is. */
-static void front_and_back_cover_the_same(void)
-{
-    uint32_t seed = 2;
-    int32_t n, drawn = 0;
-
-    test_canvas_open(&canvas, screen);
-    for (n = 0; n < TEST_COUNT(2000) && !test_failed(); n++) {
-        static const struct etch_vector centre = {0, 0, 0};
-        struct etch_sink sink = {count_pixels};
-        struct etch_assembly assembly = assembly_for(&sink, screen);
-        const struct etch_vector eye = {test_range(&seed, -200000, 200000),
-                                        test_range(&seed, -200000, 200000), 90000};
-        const struct etch_matrix m = camera(&eye, &centre, 655, 40 * 65536);
-        struct etch_mesh_stage stage;
-        int32_t x, y, wrong = 0;
-
-        etch_mesh_stage_init(&stage, &octahedron, &m, etch_vertex_plain, NULL);
-        test_canvas_wipe(&canvas);
-        assembly.cull = n % 2 == 0 ? ETCH_CULL_CLOCKWISE : ETCH_CULL_NONE;
-        CHECK_EQ(etch_mesh_draw(&stage, &assembly, buffer, 6), ETCH_OK);
-        for (y = 0; y < 48; y++) {
-            for (x = 0; x < 64; x++) {
-                const int32_t times = test_canvas_at(&canvas, x, y) - TEST_BACKGROUND;
-
-                wrong += times != 0 && times != (n % 2 == 0 ? 1 : 2);
-                drawn += times;
-            }
-        }
-        if (!CHECK_EQ(wrong, 0)) {
-            test_note("x", eye.x);
-            test_note("y", eye.y);
-        }
-    }
-    CHECK(drawn > n * 100);
-}
 
 /* From before each face exactly that face's side is kept: counted by the exact orientation of
  * the eye to each face plane x + y + z = 1 and its mirrors. */
@@ -490,8 +300,6 @@ static void raster_sink_paints(void)
 
 void suite_mesh(void)
 {
-    RUN(floor_covers_each_pixel_once);
-    RUN(front_and_back_cover_the_same);
     RUN(culling_keeps_what_faces_the_eye);
     RUN(halves_equal_the_whole);
     RUN(wrong_indices_are_skipped);
