@@ -1,0 +1,72 @@
+/* etch: an integer-only graphics pipeline for small screens. This header includes all of core;
+ * a program may include the parts it uses instead, and links only what it names.
+ *
+ *      app --> vertex: transform, light, clip, cull --> sink --.
+ *                                                              v
+ *      app --> draw: triangles, shapes --> raster: edges, runs {x0,x1} --> paint->kernel
+ *                                                                             |
+ *                                           fragment: depth test, colour <----'
+ *                                                  |
+ *                                                  v
+ *                                       base: surface = window on the frame, clip, planes
+ *
+ * CONVENTIONS
+ *
+ *   Frame      x right, y down, (0,0) top left. Pixel (i,j) is the square [i,i+1) x [j,j+1), its
+ *              centre (i+1/2, j+1/2). Coordinates are always the frame's, also on a strip.
+ *   2D calls   int16_t coordinates name pixels; every value is legal and every call is safe.
+ *              Rectangles as arguments are (x, y, w, h), as structs half-open. A triangle's
+ *              integer vertices are pixel centres.
+ *   Subpixel   16.16 (etch_q16) or 1/256 px (names in _q8). 16.16 is snapped to 1/256 by
+ *              round-half-up. 0 is a pixel's left or top edge, 128/256 its centre.
+ *   Coverage   a pixel is drawn iff its centre is inside, or on a top or left edge, of the
+ *              snapped triangle. Neighbours never overlap and leave no gap.
+ *   Depth      0 near .. 65535 far, 16 bits; vertices carry 16 more.
+ *   Colour     RGB565. Calls take colours in the surface's byte order: etch_rgb565, and
+ *              etch_rgb565_swap where the panel wants the high byte first.
+ *   3D         right-handed; the eye looks along -z, y up; visible is -w <= x,y,z <= w. Front
+ *              faces are counter-clockwise as seen.
+ *   Angles     uint16_t, 65536 to a turn.
+ *   Memory     all of it is the caller's. No heap, no globals: surfaces are independent, and
+ *              threads that use different ones need no lock.
+ *   Errors     drawing returns void: what is off screen, empty or degenerate draws what it
+ *              covers. Set-up returns 0 or a negative enum etch_status. A caller's bug trips
+ *              ETCH_ASSERT, which is empty unless the build defines it.
+ *
+ * Where to go on: base/surface.h (the memory), draw/shapes.h and raster/line.h (2D),
+ * draw/triangle.h (shaded triangles), draw/mesh.h (3D), base/paint.h and fragment/template.h
+ * (your own pixel work). DESIGN.md beside this file says why things are as they are.
+ */
+#ifndef ETCH_H
+#define ETCH_H
+
+#include "base/fixed.h"
+#include "base/paint.h"
+#include "base/rect.h"
+#include "base/rgb565.h"
+#include "base/sink.h"
+#include "base/surface.h"
+#include "base/trig.h"
+#include "draw/mesh.h"
+#include "draw/shapes.h"
+#include "draw/triangle.h"
+#include "fragment/barycentric.h"
+#include "fragment/flat.h"
+#include "fragment/gouraud.h"
+#include "fragment/template.h"
+#include "raster/basis.h"
+#include "raster/circle.h"
+#include "raster/line.h"
+#include "raster/plane.h"
+#include "raster/rect.h"
+#include "raster/triangle.h"
+#include "vertex/assembly.h"
+#include "vertex/clip.h"
+#include "vertex/cull.h"
+#include "vertex/light.h"
+#include "vertex/matrix.h"
+#include "vertex/mesh.h"
+#include "vertex/transform.h"
+#include "vertex/viewport.h"
+
+#endif
