@@ -3,7 +3,11 @@
 #include "clip.h"
 #include "corner.h"
 
-enum { EDGES = 3, PLANES = 6, LINES = EDGES + PLANES };
+enum {
+    EDGES = 3,
+    PLANES = 6,
+    LINES = EDGES + PLANES
+};
 
 struct polygon {
     uint8_t n;
@@ -74,8 +78,7 @@ static bool is_vertex(const struct corner *c)
     return c->line[0] < EDGES && c->line[1] < EDGES;
 }
 
-uint8_t etch_clip_triangle(const struct etch_viewport *viewport,
-                           const struct etch_clip_vertex v[3],
+uint8_t etch_clip_triangle(const struct etch_viewport *viewport, const struct etch_clip_vertex v[3],
                            struct etch_clip_vertex out[ETCH_CLIP_MAX])
 {
     struct corner_line lines[LINES];

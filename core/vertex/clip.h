@@ -24,8 +24,7 @@
  * ETCH_CLIP_MAX. Each has w > 0 and can be projected; x, y, z, w of new vertices have a scale of
  * their own (only their ratios have a meaning). Every input is legal, w <= 0 and the
  * degenerate included. About 1 KB of stack; 10,000 to 30,000 instructions on ARMv6-M. */
-uint8_t etch_clip_triangle(const struct etch_viewport *viewport,
-                           const struct etch_clip_vertex v[3],
+uint8_t etch_clip_triangle(const struct etch_viewport *viewport, const struct etch_clip_vertex v[3],
                            struct etch_clip_vertex out[ETCH_CLIP_MAX]);
 
 #endif

@@ -4,7 +4,10 @@
  * bits, and a corner's distance or coordinate is a sum of three weights times 42 bits. */
 #include "corner.h"
 
-enum { LIMB_BITS = 15, LOW_BITS = 21 };
+enum {
+    LIMB_BITS = 15,
+    LOW_BITS = 21
+};
 
 #define LIMB INT64_C(0x8000)
 #define LIMB_MASK 0x7FFF
@@ -33,8 +36,8 @@ static void set_weight(uint16_t limb[CORNER_LIMBS], int64_t a, int64_t b, int64_
 {
     const int64_t ab = (a & LOW_MASK) * b, cd = (c & LOW_MASK) * d; /* below 2^62 + 2^53 */
     int32_t low = (int32_t)(ab & LOW_MASK) - (int32_t)(cd & LOW_MASK);
-    int64_t high = (a >> LOW_BITS) * b - (c >> LOW_BITS) * d + (ab >> LOW_BITS) -
-                   (cd >> LOW_BITS) - (low < 0);
+    int64_t high = (a >> LOW_BITS) * b - (c >> LOW_BITS) * d + (ab >> LOW_BITS) - (cd >> LOW_BITS) -
+                   (low < 0);
 
     low &= LOW_MASK;
     if (high < 0) {
@@ -50,8 +53,7 @@ static void set_weight(uint16_t limb[CORNER_LIMBS], int64_t a, int64_t b, int64_
 
 /* The cross product of the lines. Where they meet inside the triangle its three numbers have one
  * sign, so magnitudes will do. */
-void etch_corner_meet(struct corner *corner, const struct corner_line *lines, uint8_t a,
-                      uint8_t b)
+void etch_corner_meet(struct corner *corner, const struct corner_line *lines, uint8_t a, uint8_t b)
 {
     const int64_t *const p = lines[a].at, *const q = lines[b].at;
 
@@ -115,8 +117,8 @@ static void round_sums(int32_t v[4], struct sum sums[4])
         v[i] = etch_saturate_s32((sums[i].high + ((INT64_C(1) << down) >> 1)) >> down);
 }
 
-/* The leading bits of the weights, with a sum below 2^23: enough for 8-bit attributes. */
-static void leading_weights(uint32_t leading[3], const struct corner *c)
+/* The leading bits of the weights and their sum, below 2^23: enough for 8-bit attributes. */
+static void leading_weights(uint32_t leading[4], const struct corner *c)
 {
     uint64_t w[3] = {0, 0, 0};
     uint8_t down = 0;
@@ -128,23 +130,38 @@ static void leading_weights(uint32_t leading[3], const struct corner *c)
         ;
     for (int i = 0; i < 3; i++)
         leading[i] = (uint32_t)(w[i] >> down);
+    leading[3] = leading[0] + leading[1] + leading[2];
+}
+
+/* One coordinate of the corner from those of the vertices. */
+static void coordinate(struct sum *sum, const struct corner *corner, etch_q16 a, etch_q16 b,
+                       etch_q16 c)
+{
+    const int64_t v[3] = {a, b, c};
+
+    weigh(sum, corner, v);
+}
+
+/* One channel, k[3] being the sum of the leading weights. It is never 0: the lines meet. */
+static uint8_t channel(const uint32_t k[4], uint8_t a, uint8_t b, uint8_t c)
+{
+    return (uint8_t)((k[0] * a + k[1] * b + k[2] * c + k[3] / 2) / k[3]);
 }
 
 void etch_corner_resolve(struct etch_clip_vertex *out, const struct corner *corner,
                          const struct etch_clip_vertex triangle[3])
 {
-    const struct etch_clip_vertex *const a = &triangle[0], *const b = &triangle[1],
-                                        *const c = &triangle[2];
-    const int64_t x[3] = {a->x, b->x, c->x}, y[3] = {a->y, b->y, c->y};
-    const int64_t z[3] = {a->z, b->z, c->z}, w[3] = {a->w, b->w, c->w};
+    const struct etch_clip_vertex *const a = &triangle[0];
+    const struct etch_clip_vertex *const b = &triangle[1];
+    const struct etch_clip_vertex *const c = &triangle[2];
     struct sum sums[4];
     int32_t v[4];
-    uint32_t k[3];
+    uint32_t k[4];
 
-    weigh(&sums[0], corner, x);
-    weigh(&sums[1], corner, y);
-    weigh(&sums[2], corner, z);
-    weigh(&sums[3], corner, w);
+    coordinate(&sums[0], corner, a->x, b->x, c->x);
+    coordinate(&sums[1], corner, a->y, b->y, c->y);
+    coordinate(&sums[2], corner, a->z, b->z, c->z);
+    coordinate(&sums[3], corner, a->w, b->w, c->w);
     round_sums(v, sums);
     out->x = v[0];
     out->y = v[1];
@@ -152,9 +169,8 @@ void etch_corner_resolve(struct etch_clip_vertex *out, const struct corner *corn
     out->w = v[3];
 
     leading_weights(k, corner);
-    const uint32_t whole = k[0] + k[1] + k[2], half = whole / 2; /* never 0: the lines meet */
-    out->r = (uint8_t)((k[0] * a->r + k[1] * b->r + k[2] * c->r + half) / whole);
-    out->g = (uint8_t)((k[0] * a->g + k[1] * b->g + k[2] * c->g + half) / whole);
-    out->b = (uint8_t)((k[0] * a->b + k[1] * b->b + k[2] * c->b + half) / whole);
-    out->a = (uint8_t)((k[0] * a->a + k[1] * b->a + k[2] * c->a + half) / whole);
+    out->r = channel(k, a->r, b->r, c->r);
+    out->g = channel(k, a->g, b->g, c->g);
+    out->b = channel(k, a->b, b->b, c->b);
+    out->a = channel(k, a->a, b->a, c->a);
 }

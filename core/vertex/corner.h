@@ -28,8 +28,7 @@ struct corner {
 void etch_corner_vertex(struct corner *corner, uint8_t i);
 
 /* The meeting point, inside the triangle, of lines a and b, exactly. */
-void etch_corner_meet(struct corner *corner, const struct corner_line *lines, uint8_t a,
-                      uint8_t b);
+void etch_corner_meet(struct corner *corner, const struct corner_line *lines, uint8_t a, uint8_t b);
 
 /* Whether a corner is inside or on a line, exactly. */
 bool etch_corner_is_inside(const struct corner *corner, const struct corner_line *line);

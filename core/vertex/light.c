@@ -3,7 +3,9 @@
 #include "light.h"
 #include "vector.h"
 
-enum { LENGTH_Q14 = 16513 }; /* 2^21 / 127: a normal of length 127 along it gives 2^21 */
+enum {
+    LENGTH_Q14 = 16513
+}; /* 2^21 / 127: a normal of length 127 along it gives 2^21 */
 
 enum etch_status etch_light_aim(struct etch_light *light, const struct etch_matrix *model,
                                 const struct etch_vector *towards)
@@ -16,8 +18,7 @@ enum etch_status etch_light_aim(struct etch_light *light, const struct etch_matr
         return ETCH_EINVAL;
     /* The transpose, which is the inverse but for scale. Sums at most 3 * 2^61. */
     for (int i = 0; i < 3; i++)
-        local[i] = etch_mul_s32(model->m[0][i], unit[0]) +
-                   etch_mul_s32(model->m[1][i], unit[1]) +
+        local[i] = etch_mul_s32(model->m[0][i], unit[0]) + etch_mul_s32(model->m[1][i], unit[1]) +
                    etch_mul_s32(model->m[2][i], unit[2]);
     etch_vector_normalize_range(local);
     if (etch_vector_unit_q30(unit, local) != ETCH_OK)
@@ -32,8 +33,7 @@ enum etch_status etch_light_aim(struct etch_light *light, const struct etch_matr
 /* N . L in 4.12, not below 0. |N . L| <= 128 * 3 * 16513 < 2^23, so the result is below 2^14. */
 static uint32_t intensity_q12(const struct etch_light *light, const int8_t normal[3])
 {
-    const int32_t dot_q21 = etch_mul_s16(light->x, normal[0]) +
-                            etch_mul_s16(light->y, normal[1]) +
+    const int32_t dot_q21 = etch_mul_s16(light->x, normal[0]) + etch_mul_s16(light->y, normal[1]) +
                             etch_mul_s16(light->z, normal[2]);
 
     return dot_q21 <= 0 ? 0 : (uint32_t)(dot_q21 + 256) >> 9;
@@ -51,8 +51,7 @@ static uint8_t lit_channel(uint8_t color, uint32_t sum_q12)
     return (uint8_t)((product + 128 + ((product + 128) >> 8)) >> 8); /* product / 255 */
 }
 
-void etch_light_vertex(const struct etch_lighting *lighting, const int8_t normal[3],
-                       uint8_t rgb[3])
+void etch_light_vertex(const struct etch_lighting *lighting, const int8_t normal[3], uint8_t rgb[3])
 {
     uint32_t sum_q12[3];
 

@@ -20,8 +20,7 @@ static bool set_row(struct etch_matrix *m, int row, const int32_t unit_q30[3], i
 }
 
 enum etch_status etch_matrix_look_at(struct etch_matrix *m, const struct etch_vector *eye,
-                                     const struct etch_vector *target,
-                                     const struct etch_vector *up)
+                                     const struct etch_vector *target, const struct etch_vector *up)
 {
     int64_t view[3] = {(int64_t)target->x - eye->x, (int64_t)target->y - eye->y,
                        (int64_t)target->z - eye->z};

@@ -6,7 +6,7 @@
  * w = 16384.0 on remainders do not fit and the 64-bit divide does the same. */
 #include "viewport.h"
 
-/* ---- one reciprocal ---------------------------------------------------------------------------- */
+/* ---- one reciprocal -------------------------------------------------------------------------- */
 
 struct divisor {
     uint32_t w;          /* 1 .. 2^30 - 1 */
@@ -56,7 +56,7 @@ static uint32_t ratio_q31(const struct divisor *d, uint32_t v)
     return mul_high(v << d->shift, d->reciprocal);
 }
 
-/* ---- positions --------------------------------------------------------------------------------- */
+/* ---- positions ------------------------------------------------------------------------------- */
 
 /* 128 size v / w rounded half up (`up`: v is positive) or half down, v <= 2^31, size <= 65535. */
 static uint32_t scale(const struct divisor *d, uint32_t size, uint32_t v, bool up)
@@ -92,14 +92,14 @@ static int32_t place_turned(const struct divisor *d, int32_t size, etch_q16 v)
                  : -(int32_t)scale(d, (uint32_t)size, (uint32_t)v, false);
 }
 
-/* ---- depth -------------------------------------------------------------------------------------- */
+/* ---- depth ----------------------------------------------------------------------------------- */
 
 /* v / 2w of 65535 in 16.16, v = z + w = 0 .. 2w: the whole part, then 16 bits of fraction. */
 static uint32_t depth(const struct divisor *d, uint32_t v)
 {
-    const uint32_t whole_w = d->w * 2;                            /* remainders are below 2 of it */
+    const uint32_t whole_w = d->w * 2; /* remainders are below 2 of it */
     const uint32_t ratio = mul_high(v << (d->shift - 1), d->reciprocal);
-    uint32_t high = (ratio - ((ratio + 65535) >> 16)) >> 15;      /* 65535 / 65536 of it */
+    uint32_t high = (ratio - ((ratio + 65535) >> 16)) >> 15; /* 65535 / 65536 of it */
     uint32_t rest = etch_wrap_sub(etch_wrap_mul(v, 65535), etch_wrap_mul(high, whole_w));
 
     if (rest >= whole_w) {
@@ -116,7 +116,7 @@ static uint32_t depth(const struct divisor *d, uint32_t v)
     return high * 65536 + low + (rest >= d->w ? 1 : 0);
 }
 
-/* ---- w of 16384.0 and more ------------------------------------------------------------------------- */
+/* ---- w of 16384.0 and more ------------------------------------------------------------------- */
 
 /* Products below 2^16 * 2^31 * 2^7. */
 static int32_t place_wide(int32_t size, etch_q16 v, etch_q16 w)

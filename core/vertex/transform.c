@@ -4,7 +4,7 @@
 
 static uint64_t magnitude(etch_q16 v)
 {
-    return v < 0 ? (uint64_t)-(int64_t)v : (uint64_t)v;
+    return v < 0 ? (uint64_t) - (int64_t)v : (uint64_t)v;
 }
 
 /* True if no partial sum of the row, with the rounding, reaches 2^31. */
@@ -15,8 +15,8 @@ static bool is_narrow(const etch_q16 row[4], uint8_t bits, uint16_t extent)
     return products + ((magnitude(row[3]) + 1) << bits) < UINT64_C(1) << 31;
 }
 
-void etch_transform_init(struct etch_transform *t, const struct etch_matrix *matrix,
-                         uint8_t bits, uint16_t extent)
+void etch_transform_init(struct etch_transform *t, const struct etch_matrix *matrix, uint8_t bits,
+                         uint16_t extent)
 {
     t->matrix = *matrix;
     t->bits = bits < 15 ? bits : 15;

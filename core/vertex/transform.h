@@ -28,8 +28,8 @@ struct etch_transform {
 
 /* Prepares a transform of positions with |coordinate| <= extent (0 .. 32768). bits > 15 counts
  * as 15. */
-void etch_transform_init(struct etch_transform *t, const struct etch_matrix *matrix,
-                         uint8_t bits, uint16_t extent);
+void etch_transform_init(struct etch_transform *t, const struct etch_matrix *matrix, uint8_t bits,
+                         uint16_t extent);
 
 /* Sets out->x, y, z, w from position p and leaves its colour. With coordinates beyond the
  * extent of etch_transform_init the result is unspecified (but nothing else happens). */

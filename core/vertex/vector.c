@@ -50,8 +50,7 @@ enum etch_status etch_vector_unit_q30(int32_t unit[3], const int64_t v[3])
     if (v[0] == 0 && v[1] == 0 && v[2] == 0)
         return ETCH_EINVAL;
     etch_vector_normalize_range(scaled); /* squares sum below 3 * 2^60, their root over 2^29 */
-    const uint64_t squares = (uint64_t)(scaled[0] * scaled[0]) +
-                             (uint64_t)(scaled[1] * scaled[1]) +
+    const uint64_t squares = (uint64_t)(scaled[0] * scaled[0]) + (uint64_t)(scaled[1] * scaled[1]) +
                              (uint64_t)(scaled[2] * scaled[2]);
     const uint32_t length = sqrt_u62(squares);
     for (int i = 0; i < 3; i++)

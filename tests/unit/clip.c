@@ -12,12 +12,12 @@ void suite_clip(void);
 static int32_t triangles, corners, colors;
 
 static const struct etch_rect rects[] = {
-    {0, 0, 320, 240},     {0, 0, 240, 320},      {10, 20, 20, 23},
-    {-100, -5, 500, 995}, {0, 0, 32767, 32767},  {-32768, -32768, 32767, 32767},
-    {0, 0, 1, 1},         {5, 5, 69, 69},        {32000, 0, 32767, 10}};
+    {0, 0, 320, 240},     {0, 0, 240, 320},     {10, 20, 20, 23},
+    {-100, -5, 500, 995}, {0, 0, 32767, 32767}, {-32768, -32768, 32767, 32767},
+    {0, 0, 1, 1},         {5, 5, 69, 69},       {32000, 0, 32767, 10}};
 #define RECTS ((int)(sizeof rects / sizeof rects[0]))
 
-/* ---- the oracle --------------------------------------------------------------------------------- */
+/* ---- the oracle ------------------------------------------------------------------------------ */
 
 #define LINES 9
 #define MOST_CORNERS 36
@@ -38,8 +38,7 @@ static int weighted(const uint64_t weight[3], const int64_t v[3], struct wide *s
     int i;
 
     for (i = 0; i < 3; i++) {
-        const struct wide p =
-            wide_product(weight[i], v[i] < 0 ? (uint64_t)-v[i] : (uint64_t)v[i]);
+        const struct wide p = wide_product(weight[i], v[i] < 0 ? (uint64_t)-v[i] : (uint64_t)v[i]);
 
         if (v[i] < 0)
             minus = wide_sum(minus, p);
@@ -172,7 +171,7 @@ static bool sees_the_eye(const struct exact *e, const struct etch_clip_vertex v[
     return false;
 }
 
-/* ---- input ----------------------------------------------------------------------------------------- */
+/* ---- input ----------------------------------------------------------------------------------- */
 
 /* kind 0: anything; 1: small numbers; 2: ends and units; 3: a usual scene; 4: any size. */
 static int32_t coordinate(int kind, int32_t most_bits, uint32_t *seed)
@@ -223,7 +222,7 @@ static void note_triangle(const struct etch_clip_vertex v[3], struct etch_rect r
     }
 }
 
-/* ---- cases ------------------------------------------------------------------------------------------- */
+/* ---- cases ----------------------------------------------------------------------------------- */
 
 /* Every exact corner is among the polygon's, and with `inner` also the other way round. */
 static bool compare(const struct etch_viewport *viewport, const struct etch_clip_vertex v[3],
@@ -250,7 +249,8 @@ static bool compare(const struct etch_viewport *viewport, const struct etch_clip
         struct etch_vertex p;
 
         for (i = 0; i < exact.n && !(is_at(viewport, v, &exact.corner[i], &out[j]) &&
-                                     is_colored(v, &exact.corner[i], &out[j])); i++)
+                                     is_colored(v, &exact.corner[i], &out[j]));
+             i++)
             ;
         ok = CHECK(i < exact.n);
         colors++;

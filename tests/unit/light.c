@@ -144,8 +144,8 @@ static void aim_undoes_the_model(void)
         const int32_t length = size < 0 ? -size : size;
 
         for (i = 0; i < 3; i++) { /* model * local = length * world (or its mirror image) */
-            const int64_t back = (int64_t)model.m[i][0] * to[0] +
-                                 (int64_t)model.m[i][1] * to[1] + (int64_t)model.m[i][2] * to[2];
+            const int64_t back = (int64_t)model.m[i][0] * to[0] + (int64_t)model.m[i][1] * to[1] +
+                                 (int64_t)model.m[i][2] * to[2];
             const int64_t error = back - (int64_t)length * from[i];
 
             CHECK(error <= (int64_t)length * 3 && error >= -(int64_t)length * 3);

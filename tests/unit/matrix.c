@@ -6,7 +6,7 @@
 
 void suite_matrix(void);
 
-/* ---- products --------------------------------------------------------------------------------- */
+/* ---- products -------------------------------------------------------------------------------- */
 
 static bool same(const struct etch_matrix *a, const struct etch_matrix *b)
 {
@@ -25,8 +25,8 @@ struct signed_wide {
 
 static void add_product(struct signed_wide *s, int64_t a, int64_t b)
 {
-    const struct wide p =
-        wide_product(a < 0 ? (uint64_t)-a : (uint64_t)a, b < 0 ? (uint64_t)-b : (uint64_t)b);
+    const struct wide p = wide_product(a < 0 ? (uint64_t)-a : (uint64_t)a,
+                                       b < 0 ? (uint64_t)-b : (uint64_t)b);
 
     if ((a < 0) != (b < 0))
         s->minus = wide_sum(s->minus, p);
@@ -110,7 +110,7 @@ static int64_t distance(int64_t a, int64_t b)
     return a < b ? b - a : a - b;
 }
 
-/* ---- rotations -------------------------------------------------------------------------------- */
+/* ---- rotations ------------------------------------------------------------------------------- */
 
 /* x to y, y to z, z to x: the same turn each, and about an axis of any length the same again. */
 static void rotations_agree(void)

@@ -76,8 +76,7 @@ static void perspective_by_angle(void)
         if (fov > 0x4000) /* sin / (1 - cos) */
             CHECK(distance(sine * 65536, (one - cosine) * m.m[1][1]) <= one - cosine);
         else
-            CHECK(distance((one + cosine) * 65536, sine * m.m[1][1]) <=
-                  sine + (one + cosine) * 2);
+            CHECK(distance((one + cosine) * 65536, sine * m.m[1][1]) <= sine + (one + cosine) * 2);
     }
     CHECK_EQ(etch_matrix_perspective(&m, 0x4000, 65536, 65536, 131072), ETCH_OK);
     CHECK_EQ(m.m[1][1], 65536);

@@ -15,7 +15,7 @@ static bool same(const struct etch_matrix *a, const struct etch_matrix *b)
     return true;
 }
 
-/* ---- the eye ------------------------------------------------------------------------------------ */
+/* ---- the eye --------------------------------------------------------------------------------- */
 
 struct vector64 {
     int64_t v[3];
@@ -44,13 +44,12 @@ static bool is_unit(etch_q16 entry, const struct vector64 *v, int i)
         part[k] = (uint64_t)(v->v[k] < 0 ? -v->v[k] : v->v[k]);
         squares = wide_sum(squares, wide_product(part[k], part[k]));
     }
-    const struct wide exact =
-        wide_scale(wide_scale(wide_product(part[i], part[i]), 65536), 65536);
+    const struct wide exact = wide_scale(wide_scale(wide_product(part[i], part[i]), 65536), 65536);
     const struct wide above = wide_scale(wide_scale(squares, (uint32_t)size + 1),
                                          (uint32_t)size + 1);
-    const struct wide below =
-        size == 0 ? squares
-                  : wide_scale(wide_scale(squares, (uint32_t)size - 1), (uint32_t)size - 1);
+    const struct wide below = size == 0 ? squares
+                                        : wide_scale(wide_scale(squares, (uint32_t)size - 1),
+                                                     (uint32_t)size - 1);
 
     return wide_at_most(exact, above) && (size == 0 || wide_at_most(below, exact)) &&
            (size <= 1 || (entry < 0) == (v->v[i] < 0));
@@ -71,8 +70,8 @@ static void look_at_rows_are_unit_vectors(void)
         const struct etch_vector eye = {c[0], c[1], c[2]}, target = {c[3], c[4], c[5]};
         const struct etch_vector up = {c[6], c[7], c[8]};
         const int32_t unit = n % 3 == 0 ? 1 : 5000;
-        const struct vector64 view = {{(c[3] - c[0]) / unit, (c[4] - c[1]) / unit,
-                                       (c[5] - c[2]) / unit}};
+        const struct vector64 view = {
+            {(c[3] - c[0]) / unit, (c[4] - c[1]) / unit, (c[5] - c[2]) / unit}};
         const struct vector64 above = {{c[6] / unit, c[7] / unit, c[8] / unit}};
         const struct vector64 right = cross(&view, &above);
         const struct vector64 upward = cross(&right, &view);
@@ -131,7 +130,7 @@ static void look_at_refuses(void)
     CHECK(same(&m, &one));
 }
 
-/* ---- projections ---------------------------------------------------------------------------------- */
+/* ---- projections ----------------------------------------------------------------------------- */
 
 /* A positive and a negative wide part, apart. */
 struct signed_wide {
@@ -140,8 +139,8 @@ struct signed_wide {
 
 static void add_product(struct signed_wide *s, int64_t a, int64_t b)
 {
-    const struct wide p =
-        wide_product(a < 0 ? (uint64_t)-a : (uint64_t)a, b < 0 ? (uint64_t)-b : (uint64_t)b);
+    const struct wide p = wide_product(a < 0 ? (uint64_t)-a : (uint64_t)a,
+                                       b < 0 ? (uint64_t)-b : (uint64_t)b);
 
     if ((a < 0) != (b < 0))
         s->minus = wide_sum(s->minus, p);
@@ -219,9 +218,9 @@ static void boxes_are_rounded(void)
     int32_t n, good = 0;
 
     for (n = 0; n < TEST_COUNT(50000); n++) {
-        const struct etch_box b = {
-            random_size(&seed) - 9,  random_size(&seed) - 7, -random_size(&seed),
-            random_size(&seed),      random_size(&seed),     random_size(&seed)};
+        const struct etch_box b = {random_size(&seed) - 9, random_size(&seed) - 7,
+                                   -random_size(&seed),    random_size(&seed),
+                                   random_size(&seed),     random_size(&seed)};
         const int64_t width = (int64_t)b.right - b.left, height = (int64_t)b.top - b.bottom;
         const int64_t depth = (int64_t)b.far - b.near;
         struct etch_matrix f, o;

@@ -5,7 +5,7 @@
 
 void suite_mesh(void);
 
-/* ---- a sink that stores ------------------------------------------------------------------------- */
+/* ---- a sink that stores ---------------------------------------------------------------------- */
 
 #define MOST_STORED 512
 
@@ -58,7 +58,7 @@ static bool same_stream(const struct store_sink *a, const struct store_sink *b)
     return true;
 }
 
-/* ---- cases -------------------------------------------------------------------------------------- */
+/* ---- cases ----------------------------------------------------------------------------------- */
 
 /* From before each face exactly that face's side is kept: counted by the exact orientation of
  * the eye to each face plane x + y + z = 1 and its mirrors. */

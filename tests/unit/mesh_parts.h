@@ -6,22 +6,23 @@
 #include "tests/harness/harness.h"
 
 /* An octahedron: six vertices on the axes, normals outwards, each face counter-clockwise. */
-static const int16_t octa_positions[] = {1000, 0, 0, -1000, 0, 0, 0, 1000, 0,
-                                         0, -1000, 0, 0, 0, 1000, 0, 0, -1000};
-static const int8_t octa_normals[] = {127, 0, 0, -127, 0, 0, 0, 127, 0, 0, -127, 0, 0, 0, 127,
-                                      0, 0, -127};
+static const int16_t octa_positions[] = {1000, 0,     0, -1000, 0, 0,    0, 1000, 0,
+                                         0,    -1000, 0, 0,     0, 1000, 0, 0,    -1000};
+static const int8_t octa_normals[] = {127, 0,    0, -127, 0, 0,   0, 127, 0,
+                                      0,   -127, 0, 0,    0, 127, 0, 0,   -127};
 static const uint16_t octa_indices[] = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4,
                                         2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
-static const struct etch_mesh octahedron = {octa_positions, octa_normals, NULL, octa_indices,
-                                            6, 8, 1000, 10};
+static const struct etch_mesh octahedron = {
+    octa_positions, octa_normals, NULL, octa_indices, 6, 8, 1000, 10};
 
 #define GRID 17
 
 static int16_t grid_positions[GRID * GRID * 3];
 static uint8_t grid_colors[GRID * GRID * 3];
 static uint16_t grid_indices[(GRID - 1) * (GRID - 1) * 6];
-static const struct etch_mesh grid = {grid_positions, NULL, grid_colors, grid_indices,
-                                      GRID * GRID, (GRID - 1) * (GRID - 1) * 2, 32767, 0};
+static const struct etch_mesh grid = {grid_positions, NULL,       grid_colors,
+                                      grid_indices,   GRID *GRID, (GRID - 1) * (GRID - 1) * 2,
+                                      32767,          0};
 
 /* A square in the plane y = 0, +-size, triangles facing up, in uneven steps, diagonals both ways. */
 static inline void make_grid(int32_t size, uint32_t *seed)
@@ -59,8 +60,8 @@ static inline void make_grid(int32_t size, uint32_t *seed)
 static struct etch_mesh_vertex buffer[GRID * GRID];
 
 /* Perspective * camera, which must be possible. */
-static inline struct etch_matrix camera(const struct etch_vector *eye, const struct etch_vector *target,
-                                 etch_q16 near, etch_q16 far)
+static inline struct etch_matrix
+camera(const struct etch_vector *eye, const struct etch_vector *target, etch_q16 near, etch_q16 far)
 {
     static const struct etch_vector up = {0, 65536, 0};
     struct etch_matrix view, m;

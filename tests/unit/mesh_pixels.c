@@ -10,8 +10,8 @@ static struct test_canvas canvas;
 /* Adds 1 to each pixel. */
 static void count_pixels(struct etch_sink *sink, const struct etch_vertex *const v[3])
 {
-    const struct etch_point_q8 p[3] = {{v[0]->x_q8, v[0]->y_q8}, {v[1]->x_q8, v[1]->y_q8},
-                                       {v[2]->x_q8, v[2]->y_q8}};
+    const struct etch_point_q8 p[3] = {
+        {v[0]->x_q8, v[0]->y_q8}, {v[1]->x_q8, v[1]->y_q8}, {v[2]->x_q8, v[2]->y_q8}};
     struct etch_triangle t;
     struct test_run_log log;
     struct test_run_paint paint = test_run_paint(&log, 1);
@@ -57,8 +57,7 @@ static void floor_covers_each_pixel_once(void)
             const int64_t below = 2 * y + 1 - 48; /* half px under the horizon */
             const bool full = below > 0 && 2 * focal * height / 65536 * 17 / 16 < far * below &&
                               2 * focal * height / 65536 * 15 / 16 > near * below;
-            const bool empty = below <= 0 ||
-                               2 * focal * height / 65536 * 15 / 16 > far * below ||
+            const bool empty = below <= 0 || 2 * focal * height / 65536 * 15 / 16 > far * below ||
                                2 * focal * height / 65536 * 17 / 16 < near * below;
 
             for (x = 0; x < 64; x++) {

@@ -7,9 +7,9 @@
 void suite_vertex(void);
 
 static const struct etch_rect rects[] = {
-    {0, 0, 320, 240},     {0, 0, 240, 320},      {10, 20, 20, 23},
-    {-100, -5, 500, 995}, {0, 0, 32767, 32767},  {-32768, -32768, 32767, 32767},
-    {0, 0, 1, 1},         {5, 5, 69, 69},        {32000, 0, 32767, 10}};
+    {0, 0, 320, 240},     {0, 0, 240, 320},     {10, 20, 20, 23},
+    {-100, -5, 500, 995}, {0, 0, 32767, 32767}, {-32768, -32768, 32767, 32767},
+    {0, 0, 1, 1},         {5, 5, 69, 69},       {32000, 0, 32767, 10}};
 #define RECTS ((int)(sizeof rects / sizeof rects[0]))
 
 /* A number of random size, often at an end. */
@@ -20,7 +20,7 @@ static int32_t any_size(uint32_t *seed)
     return test_range(seed, 0, 20) > 0 ? v : v < 0 ? INT32_MIN : INT32_MAX;
 }
 
-/* ---- transform -------------------------------------------------------------------------------- */
+/* ---- transform ------------------------------------------------------------------------------- */
 
 static int64_t exact_row(const etch_q16 row[4], const int16_t p[3], uint8_t bits)
 {
@@ -91,7 +91,7 @@ static void usual_transforms_are_narrow(void)
     CHECK(!t.narrow);
 }
 
-/* ---- outcodes --------------------------------------------------------------------------------- */
+/* ---- outcodes -------------------------------------------------------------------------------- */
 
 static uint8_t exact_outcode(const struct etch_viewport *v, const struct etch_clip_vertex *in)
 {
@@ -112,8 +112,8 @@ static void outcodes_are_exact(void)
 
     for (n = 0; n < TEST_COUNT(300000); n++) {
         struct etch_viewport v;
-        struct etch_clip_vertex in = {any_size(&seed), any_size(&seed), any_size(&seed),
-                                      any_size(&seed), 0, 0, 0, 0};
+        struct etch_clip_vertex in = {
+            any_size(&seed), any_size(&seed), any_size(&seed), any_size(&seed), 0, 0, 0, 0};
 
         if (n % 3 == 0) /* on the planes and beside them */
             in.x = (int32_t)test_range(&seed, -3, 3) + (in.w >> 8);
@@ -154,7 +154,7 @@ static void guards_are_in_range(void)
     }
 }
 
-/* ---- projection ---------------------------------------------------------------------------------- */
+/* ---- projection ------------------------------------------------------------------------------ */
 
 /* position = 128 (size v / w + centre) rounded half up: -w <= 2 (position w - exact w) < w, and
  * the tie goes up. */
@@ -264,7 +264,7 @@ static void corners_of_the_volume(void)
     }
 }
 
-/* ---- winding ------------------------------------------------------------------------------------ */
+/* ---- winding --------------------------------------------------------------------------------- */
 
 static void winding_is_exact(void)
 {
@@ -273,8 +273,8 @@ static void winding_is_exact(void)
 
     for (n = 0; n < TEST_COUNT(200000); n++) {
         const int32_t size = INT32_C(1) << test_range(&seed, 0, 23);
-        struct etch_vertex v[3] = {{0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0},
-                                   {0, 0, 0, 0, 0, 0, 0}};
+        struct etch_vertex v[3] = {
+            {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}};
         const struct etch_vertex *const t[3] = {&v[0], &v[1], &v[2]};
         const struct etch_vertex *const turned[3] = {&v[2], &v[1], &v[0]};
         int i;
