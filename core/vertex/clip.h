@@ -7,7 +7,7 @@
  *
  * Precision. A corner is homogeneous, so its scale is free: its coordinates are the exact ones,
  * rounded once where they need more than 31 bits. Projected it lies within 1/64 px of the exact
- * cut (1/512 px where the viewport is 128 px or larger), before the rounding to 1/256 px, for
+ * cut (1/512 px where the viewport is at least 128 px wide and high), before the rounding to 1/256 px, for
  * every input. Its colour is within 1/2 + 1/64 of the exact one.
  * Source: I. Sutherland, G. Hodgman, "Reentrant polygon clipping", 1974.
  */
@@ -23,7 +23,8 @@
  * order of v, to out (room for ETCH_CLIP_MAX). Returns its number of vertices, 0 or 3 ..
  * ETCH_CLIP_MAX. Each has w > 0 and can be projected; x, y, z, w of new vertices have a scale of
  * their own (only their ratios have a meaning). Every input is legal, w <= 0 and the
- * degenerate included. About 1 KB of stack; 10,000 to 30,000 instructions on ARMv6-M. */
+ * degenerate included. About 1 KB of stack. Meant for the few triangles that cross a plane: it
+ * costs many times the set-up of one that does not. */
 uint8_t etch_clip_triangle(const struct etch_viewport *viewport, const struct etch_clip_vertex v[3],
                            struct etch_clip_vertex out[ETCH_CLIP_MAX]);
 

@@ -7,7 +7,7 @@
  * moves the vertex; keep |clip coordinates| below 32768.
  *
  * Where no sum can leave 32 bits, known from the matrix and the mesh's extent, a product is one
- * 32-bit multiplication (nine or twelve a vertex) and the results are the same.
+ * 32-bit multiplication (twelve a vertex) and the results are the same.
  */
 #ifndef ETCH_VERTEX_TRANSFORM_H
 #define ETCH_VERTEX_TRANSFORM_H
