@@ -7,8 +7,8 @@
  *
  * Precision. A corner is homogeneous, so its scale is free: its coordinates are the exact ones,
  * rounded once where they need more than 31 bits. Projected it lies within 1/64 px of the exact
- * cut (1/512 px where the viewport is at least 128 px wide and high), before the rounding to 1/256 px, for
- * every input. Its colour is within 1/2 + 1/64 of the exact one.
+ * cut before the rounding to 1/256 px, for every input (1/512 px where the viewport is at least
+ * 128 px wide and high). Its colour is within 1/2 + 1/64 of the exact one.
  * Source: I. Sutherland, G. Hodgman, "Reentrant polygon clipping", 1974.
  */
 #ifndef ETCH_VERTEX_CLIP_H
