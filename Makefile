@@ -92,7 +92,7 @@ FORCE:
 # ---- tests ----------------------------------------------------------------------------------------
 
 TEST_STEPS  := unit stores golden cli
-CHECK_STEPS := test test-clang test32 test-size sanitize symbols includes lint
+CHECK_STEPS := test test-clang test32 test-size sanitize uninit symbols includes lint
 
 .PHONY: test
 test: $(UNIT_TEST) $(ETCH_SIM) ## all tests that need only gcc and make
@@ -135,10 +135,13 @@ test-size: ## the unit tests at -Os
 # A report ends the program, so that it fails. Every test runs, the seeded loops a tenth as often.
 SANITIZE := -fsanitize=address,undefined,integer,implicit-conversion -fno-sanitize-recover=all \
             -fsanitize-ignorelist=tests/tools/sanitize.ignore -fno-omit-frame-pointer
-.PHONY: sanitize
+.PHONY: sanitize uninit
 sanitize: ## the tests under ASan and UBSan, with integer overflow and conversion checks
 	+$(Q)$(MAKE1) test TEST_STEPS="unit golden cli" CC=clang BUILD=$(BUILD)/sanitize OPT="-O1 -g" \
 	    DIVISOR=10 EXTRA="$(SANITIZE)" CORE_EXTRA="-D'ETCH_ASSERT(x)=((x)?(void)0:__builtin_trap())'"
+uninit: ## the unit tests under MSan: no use of what was never written
+	+$(Q)$(MAKE1) unit CC=clang BUILD=$(BUILD)/uninit OPT="-O1 -g" DIVISOR=10 \
+	    EXTRA="-fsanitize=memory -fno-sanitize-recover=all"
 
 .PHONY: symbols
 symbols: ## what core and hal objects use on Cortex-M0+, AVR and rv32, at -Os and -O2

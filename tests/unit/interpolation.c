@@ -121,6 +121,26 @@ static void color_and_depth_keep_their_bounds(void)
     }
 }
 
+/* A near triangle whose gradient, brought into 31 bits, rounds down to -2^31. */
+static void depth_with_a_gradient_at_the_end_of_its_range(void)
+{
+    static const int32_t x[3] = {2357, -118502, 12572}, y[3] = {3916, -22554, -114616};
+    static const uint32_t z_q16[3] = {0, UINT32_C(0xFFFF0000), UINT32_C(0xFFFF0000)};
+    const struct etch_rect window = {0, 0, 40, 30};
+    struct test_sample s;
+    int i;
+
+    oracle_triangle_make(&s.exact, x, y);
+    for (i = 0; i < 3; i++) {
+        const struct etch_vertex v = {x[i], y[i], z_q16[i], 0, 0, 0, 255};
+
+        s.vertex[i] = v;
+    }
+    test_canvas_open(&canvas, window);
+    draw(&s, test_orders[0]);
+    check_pixels(&s);
+}
+
 /* The colour kernel without depth gives the same colours. */
 static void color_without_depth_is_the_same(void)
 {
@@ -196,6 +216,7 @@ void suite_interpolation(void)
     worst_color = 65536;
     worst_depth = 65536;
     RUN(color_and_depth_keep_their_bounds);
+    RUN(depth_with_a_gradient_at_the_end_of_its_range);
     RUN(color_without_depth_is_the_same);
     RUN(constants_stay_constant);
     test_print_count("", pixels, " pixels against exact rationals, none beyond its bound");
