@@ -44,7 +44,8 @@ static bool get_buffers(struct etch_simulation *s, struct buffers *b, size_t ele
     if (s->keeps_depth) {
         s->depth = get_plane(frame, &ok);
     }
-    s->color_bytes = (uint64_t)s->screen.buffers * elements * sizeof(uint16_t);
+    s->color_bytes = (s->screen.buffers == 0 ? frame : s->screen.buffers * elements) *
+                     (uint64_t)sizeof(uint16_t);
     s->depth_bytes = depth ? (uint64_t)elements * sizeof(uint16_t) : 0;
     return ok;
 }

@@ -16,8 +16,8 @@ struct etch_simulation {
     struct etch_screen screen;
     struct etch_scene_stats stats;
     uint16_t *depth;                /* of the whole frame, rows as far apart as the screen's */
-    uint64_t color_bytes, depth_bytes; /* RAM that the application needs for its buffers; a
-                                          direct display's memory is the display's */
+    uint64_t color_bytes, depth_bytes; /* RAM that the buffers take, or a direct display's
+                                          memory */
 };
 
 /* Draws one frame. False, with the reason in *error, which names `path`, if the port is unknown
