@@ -16,7 +16,7 @@ warn="-std=c11 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wvla -Wmissing-pr
 
 # Helpers of libgcc that are allowed, by core.
 arm='__aeabi_(u?idiv(mod)?|lmul|llsl|llsr|lasr|u?lcmp)|__gnu_thumb1_case_[a-z]+|__clzsi2'
-avr='__(u?mul(qi|hi|si|di)3|u?mulhisi3|usmulhisi3|muluhisi3|mulshisi3|u?mulsidi3)'
+avr='__(u?mul(qi|hi|si|di)3|u?mulhisi3|usmulhisi3|mul[uso]hisi3|u?mulsidi3)'
 avr="$avr|__u?divmod[qhs]i4|__(add|sub)di3(_s8)?|__u?cmpdi2(_s8)?|__negdi2"
 avr="$avr|__(ashl|ashr|lshr|rotl)[hsd]i3|__prologue_saves__|__epilogue_restores__"
 avr="$avr|__tablejump2?__|__tablejump_elpm__|__do_copy_data"
