@@ -91,7 +91,7 @@ FORCE:
 
 # ---- tests ----------------------------------------------------------------------------------------
 
-TEST_STEPS  := unit stores golden cli
+TEST_STEPS  := unit stores golden cli readme
 CHECK_STEPS := test test-clang test32 test-size sanitize uninit symbols includes lint
 
 .PHONY: test
@@ -123,6 +123,10 @@ golden-list: ## lists the golden scenes
 .PHONY: cli
 cli: $(ETCH_SIM) ## the simulator's command line, errors included
 	$(Q)BUILD=$(BUILD) sh tests/cli/run
+
+.PHONY: readme
+readme: $(LIB) ## the README's program, run against a panel
+	$(Q)BUILD=$(BUILD) CC="$(CC)" EXTRA="$(EXTRA)" RUN="$(RUN)" sh tests/readme/run
 
 .PHONY: test-clang test32 test-size
 test-clang: ## the tests with everything compiled by clang
