@@ -1,9 +1,10 @@
 #!/bin/sh
-# ports/host/demo.sh ETCH_SIM OUT: draws the demo scenes and prints what each frame took. Called by
-# `make demo`. Needs only a shell. Fails if a frame drawn in strips differs from the whole one.
+# ports/host/demo.sh: draws the demo scenes into $BUILD/demo with $BUILD/etch-sim and prints what
+# each frame took. Called by `make demo`. Needs only a shell. Fails if a frame drawn in strips
+# differs from the whole one.
 set -eu
-sim=$1
-out=$2
+sim=${BUILD:-build}/etch-sim
+out=${BUILD:-build}/demo
 scenes=$(dirname "$0")/../../tests/scenes
 mkdir -p "$out"
 
