@@ -3,16 +3,26 @@
 
 #include "stores.h"
 
-void test_canvas_open(struct test_canvas *c, struct etch_rect window)
+static void open(struct test_canvas *c, struct etch_rect window, uint16_t gap)
 {
     const uint16_t width = (uint16_t)(window.x1 - window.x0);
-    const uint16_t stride = (uint16_t)(width + TEST_GAP);
+    const uint16_t stride = (uint16_t)(width + gap);
     const int32_t height = (int32_t)window.y1 - window.y0;
 
     CHECK(stride * height <= TEST_CANVAS_WORDS);
     CHECK_EQ(etch_surface_init(&c->surface, c->pixels + TEST_GUARD_WORDS, window, stride), ETCH_OK);
     c->surface.depth = c->depth + TEST_GUARD_WORDS;
     test_canvas_wipe(c);
+}
+
+void test_canvas_open(struct test_canvas *c, struct etch_rect window)
+{
+    open(c, window, TEST_GAP);
+}
+
+void test_canvas_open_tight(struct test_canvas *c, struct etch_rect window)
+{
+    open(c, window, 0);
 }
 
 void test_canvas_clip(struct test_canvas *c, struct etch_rect clip)

@@ -41,6 +41,8 @@ struct test_canvas {
 
 /* Makes the surface for a window of at most 64 x 48 and wipes it; clip is the window. */
 void test_canvas_open(struct test_canvas *c, struct etch_rect window);
+/* The same without gaps: the stride is the width. */
+void test_canvas_open_tight(struct test_canvas *c, struct etch_rect window);
 
 /* Sets the clip and wipes. */
 void test_canvas_clip(struct test_canvas *c, struct etch_rect clip);

@@ -44,12 +44,12 @@ static void random_depth(struct etch_vertex v[3], uint32_t *seed)
     }
 }
 
-void test_sample_make(struct test_sample *s, struct test_canvas *canvas, int32_t i, uint32_t *seed)
+void test_sample_make_kind(struct test_sample *s, struct test_canvas *canvas,
+                           enum test_triangle_kind kind, int32_t i, uint32_t *seed)
 {
     int k;
 
-    test_triangle_make(&s->shape, (enum test_triangle_kind)(i % TEST_TRIANGLE_KINDS),
-                       windows[i / TEST_TRIANGLE_KINDS % 4], seed);
+    test_triangle_make(&s->shape, kind, windows[i % 4], seed);
     oracle_triangle_make(&s->exact, s->shape.x, s->shape.y);
     for (k = 0; k < 3; k++) {
         s->vertex[k].x_q8 = s->shape.x[k];
@@ -57,7 +57,13 @@ void test_sample_make(struct test_sample *s, struct test_canvas *canvas, int32_t
     }
     random_color(s->vertex, seed);
     random_depth(s->vertex, seed);
-    test_canvas_open(canvas, windows[i / TEST_TRIANGLE_KINDS % 4]);
+    test_canvas_open(canvas, windows[i % 4]);
+}
+
+void test_sample_make(struct test_sample *s, struct test_canvas *canvas, int32_t i, uint32_t *seed)
+{
+    test_sample_make_kind(s, canvas, (enum test_triangle_kind)(i % TEST_TRIANGLE_KINDS),
+                          i / TEST_TRIANGLE_KINDS, seed);
 }
 
 void test_sample_note(const struct test_sample *s, int32_t x, int32_t y)

@@ -14,7 +14,11 @@ struct test_sample {
     struct etch_vertex vertex[3];
 };
 
-/* Sample i: every kind of triangle in every window in turn; opens the canvas on its window. */
+/* Sample i: a triangle of a kind in every window in turn; opens the canvas on its window. */
+void test_sample_make_kind(struct test_sample *s, struct test_canvas *canvas,
+                           enum test_triangle_kind kind, int32_t i, uint32_t *seed);
+
+/* The same with every kind in turn. */
 void test_sample_make(struct test_sample *s, struct test_canvas *canvas, int32_t i, uint32_t *seed);
 
 /* After a failed CHECK: the pixel and the vertices. */

@@ -105,17 +105,19 @@ static void make_far(struct test_triangle *t, struct etch_rect w, uint32_t *seed
         collinear(t, test_range(seed, 1, 2000), seed);
 }
 
-/* The first two vertices on both sides of the centre of pixel (x, y), up to 500 px away. */
+/* The first two vertices on both sides of the centre of pixel (x, y), which is exactly on their
+ * edge, up to 512 px away. */
 static void make_sliver(struct test_triangle *t, int32_t x, int32_t y, uint32_t *seed)
 {
-    const int32_t reach = INT32_C(1) << test_range(seed, 10, 17);
-    const int32_t dx = test_range(seed, -reach, reach), dy = test_range(seed, -reach, reach);
+    const int32_t reach = INT32_C(1) << test_range(seed, 7, 14);
+    const int32_t dx = 8 * test_range(seed, -reach, reach),
+                  dy = 8 * test_range(seed, -reach, reach);
     const int32_t k = test_range(seed, 1, 8);
 
     t->x[0] = clamp(256 * x + 128 + dx);
     t->y[0] = clamp(256 * y + 128 + dy);
-    t->x[1] = clamp(256 * x + 128 - dx * k / 8);
-    t->y[1] = clamp(256 * y + 128 - dy * k / 8);
+    t->x[1] = clamp(256 * x + 128 - dx / 8 * k);
+    t->y[1] = clamp(256 * y + 128 - dy / 8 * k);
     collinear(t, INT32_C(1) << test_range(seed, 0, 10), seed);
 }
 

@@ -121,6 +121,26 @@ static void color_and_depth_keep_their_bounds(void)
     }
 }
 
+/* Slivers over a pixel centre, whose slopes are the steepest: where short cuts show first. */
+static void slivers_keep_their_bounds(void)
+{
+    uint32_t seed = 46;
+    int32_t i;
+
+    for (i = 0; i < TEST_COUNT(100000) && !test_failed(); i++) {
+        struct test_sample s;
+        int k;
+
+        test_sample_make_kind(&s, &canvas, TEST_TRIANGLE_sliver, i, &seed);
+        for (k = 0; k < 3; k++) {
+            s.vertex[k].r = (uint8_t)(i >> (2 + k) & 1 ? 255 : 0);
+            s.vertex[k].g = (uint8_t)(255 - s.vertex[k].r);
+        }
+        draw(&s, test_orders[0]);
+        check_pixels(&s);
+    }
+}
+
 /* A near triangle whose gradient, brought into 31 bits, rounds down to -2^31. */
 static void depth_with_a_gradient_at_the_end_of_its_range(void)
 {
@@ -216,6 +236,7 @@ void suite_interpolation(void)
     worst_color = 65536;
     worst_depth = 65536;
     RUN(color_and_depth_keep_their_bounds);
+    RUN(slivers_keep_their_bounds);
     RUN(depth_with_a_gradient_at_the_end_of_its_range);
     RUN(color_without_depth_is_the_same);
     RUN(constants_stay_constant);

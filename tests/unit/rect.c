@@ -100,38 +100,44 @@ static void as_runs(void)
     try_boxes(draw_runs, covers);
 }
 
-/* Clears fill the clip, colour and depth each by its own call, and touch nothing else. */
+/* Pixels of the clip that do not hold these values. */
+static int32_t others(uint16_t color, uint16_t depth)
+{
+    const struct etch_surface *s = &canvas.surface;
+    int32_t x, y, n = 0;
+
+    for (y = s->clip.y0; y < s->clip.y1; y++) {
+        for (x = s->clip.x0; x < s->clip.x1; x++) {
+            const size_t at = etch_surface_index(s, (int16_t)x, (int16_t)y);
+
+            n += s->pixels[at] != color || s->depth[at] != depth;
+        }
+    }
+    return n;
+}
+
+/* Clears fill the clip, colour and depth each by its own call, and touch nothing else; with and
+ * without a gap between the rows. */
 static void clears_fill_the_clip(void)
 {
     const struct etch_rect window = {10, 20, 50, 60};
     uint32_t seed = 2;
-    int32_t i, x, y;
+    int32_t i;
 
-    test_canvas_open(&canvas, window);
     for (i = 0; i < TEST_COUNT(2000) && !test_failed(); i++) {
-        const struct etch_rect clip = {pick(&seed, 0, 60), pick(&seed, 0, 70), pick(&seed, 0, 60),
-                                       pick(&seed, 0, 70)};
-        const struct etch_surface *s = &canvas.surface;
-        int32_t wrong = 0;
+        const struct etch_rect any = {pick(&seed, 0, 60), pick(&seed, 0, 70), pick(&seed, 0, 60),
+                                      pick(&seed, 0, 70)};
+        const struct etch_rect rows = {10, any.y0, 50, any.y1};
 
-        test_canvas_clip(&canvas, clip);
-        etch_surface_clear(s, TEST_INK);
-        for (y = s->clip.y0; y < s->clip.y1; y++) {
-            for (x = s->clip.x0; x < s->clip.x1; x++) {
-                const size_t at = etch_surface_index(s, (int16_t)x, (int16_t)y);
-
-                wrong += s->pixels[at] != TEST_INK || s->depth[at] != UINT16_MAX;
-            }
-        }
-        etch_depth_clear(s, 0x1234);
-        for (y = s->clip.y0; y < s->clip.y1; y++) {
-            for (x = s->clip.x0; x < s->clip.x1; x++) {
-                const size_t at = etch_surface_index(s, (int16_t)x, (int16_t)y);
-
-                wrong += s->pixels[at] != TEST_INK || s->depth[at] != 0x1234;
-            }
-        }
-        CHECK_EQ(wrong, 0);
+        if (i % 2 == 0)
+            test_canvas_open(&canvas, window);
+        else
+            test_canvas_open_tight(&canvas, window);
+        test_canvas_clip(&canvas, i % 3 == 0 ? rows : any);
+        etch_surface_clear(&canvas.surface, TEST_INK);
+        CHECK_EQ(others(TEST_INK, UINT16_MAX), 0);
+        etch_depth_clear(&canvas.surface, 0x1234);
+        CHECK_EQ(others(TEST_INK, 0x1234), 0);
         CHECK_ONCE(&canvas);
     }
 }
