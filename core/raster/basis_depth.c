@@ -11,13 +11,14 @@ static uint8_t bits_of(int32_t a, int32_t b)
     return (uint8_t)(32 - etch_leading_zeros((uint32_t)((a < 0 ? -a : a) | (b < 0 ? -b : b))));
 }
 
-/* The products in 64 bits, below 2^50, brought below 2^31: n[0], n[1] count 2^result. */
+/* The products in 64 bits, below 2^50, brought below 2^30, or to it where a negative one rounds
+ * down: n[0], n[1] count 2^result. */
 static uint8_t products_wide(const struct etch_basis *b, int32_t d1, int32_t d2, int32_t n[2])
 {
     const int64_t x = etch_mul_s32(d1, b->y2) - etch_mul_s32(d2, b->y1);
     const int64_t y = etch_mul_s32(d2, b->x1) - etch_mul_s32(d1, b->x2);
     const uint64_t both = (uint64_t)(x < 0 ? -x : x) | (uint64_t)(y < 0 ? -y : y);
-    const uint8_t down = (uint8_t)(32 - etch_leading_zeros((uint32_t)(both >> 31)));
+    const uint8_t down = (uint8_t)(32 - etch_leading_zeros((uint32_t)(both >> 30)));
 
     n[0] = (int32_t)(x >> down);
     n[1] = (int32_t)(y >> down);
