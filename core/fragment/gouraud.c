@@ -1,4 +1,8 @@
 /* fragment/gouraud.c: interpolated colour. See gouraud.h. */
-#include "gouraud_shader.h"
+#include "gouraud_rows.h"
 
-ETCH_KERNEL(etch_kernel_gouraud, etch_gouraud_shader, NULL, false)
+void etch_kernel_gouraud(const struct etch_surface *surface, int16_t y0,
+                         const struct etch_run *runs, uint8_t n, const struct etch_paint *paint)
+{
+    gouraud_rows(surface, y0, runs, n, (const struct etch_gouraud_paint *)paint, gouraud_pack);
+}

@@ -1,4 +1,10 @@
 /* fragment/gouraud_swapped.c: interpolated colour, bytes swapped. See gouraud.h. */
-#include "gouraud_shader.h"
+#include "gouraud_rows.h"
 
-ETCH_KERNEL(etch_kernel_gouraud_swapped, etch_gouraud_swapped_shader, NULL, false)
+void etch_kernel_gouraud_swapped(const struct etch_surface *surface, int16_t y0,
+                                 const struct etch_run *runs, uint8_t n,
+                                 const struct etch_paint *paint)
+{
+    gouraud_rows(surface, y0, runs, n, (const struct etch_gouraud_paint *)paint,
+                 gouraud_pack_swapped);
+}
