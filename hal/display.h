@@ -51,8 +51,8 @@ struct etch_display {
      * started no transfer, or has stopped it before it returns: the pixels are the caller's.
      * Called from the thread that draws, never from an interrupt. What the port's own
      * interrupt does with the rest of the transfer is its affair. */
-    int (*flush)(const struct etch_display *display, struct etch_rect area,
-                 const uint16_t *pixels, uint16_t stride);
+    int (*flush)(const struct etch_display *display, struct etch_rect area, const uint16_t *pixels,
+                 uint16_t stride);
 
     /* Returns when the transfer that flush started has ended; at once if none runs. A port
      * whose flush sends everything before it returns has nothing to do here.

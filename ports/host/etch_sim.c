@@ -95,13 +95,14 @@ static int32_t strip_rows(const struct options *o, const struct etch_scene *scen
 static bool write_outputs(const struct options *o, const struct etch_simulation *s,
                           struct etch_error *error)
 {
-    const struct etch_plane16 color = {
-        s->screen.shown.pixels, s->scene->width, s->scene->height, s->screen.shown.stride,
-        s->scene->format == ETCH_FORMAT_RGB565_SWAPPED};
-    const struct etch_plane16 depth = {s->depth, s->scene->width, s->scene->height,
-                                       s->scene->width, false};
+    const struct etch_plane16 color = {s->screen.shown.pixels, s->scene->width, s->scene->height,
+                                       s->screen.shown.stride,
+                                       s->scene->format == ETCH_FORMAT_RGB565_SWAPPED};
+    const struct etch_plane16 depth = {s->depth, s->scene->width, s->scene->height, s->scene->width,
+                                       false};
     struct etch_output output[] = {
-        {.path = o->picture, .plane = &color,
+        {.path = o->picture,
+         .plane = &color,
          .dump = o->picture != NULL ? etch_output_picture(o->picture) : NULL},
         {.path = o->raw, .plane = &color, .dump = etch_dump_raw},
         {.path = o->depth, .plane = &depth, .dump = etch_dump_raw},
@@ -114,7 +115,9 @@ static int run(const struct options *o, const struct etch_scene *scene, struct e
 {
     const int32_t rows = strip_rows(o, scene);
     struct etch_simulation s = {.scene = scene,
-                                .port = o->port != NULL ? o->port : rows > 0 ? "strips" : "memory",
+                                .port = o->port != NULL ? o->port
+                                        : rows > 0      ? "strips"
+                                                        : "memory",
                                 .keeps_depth = o->depth != NULL,
                                 .counts = o->stats};
     bool ok;

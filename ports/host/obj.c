@@ -34,8 +34,7 @@ static bool read_vector(struct obj_file *file, struct obj_vector **list, size_t 
     struct etch_decimal dropped;
     void *data = *list;
 
-    if (*count >= OBJ_NO_NORMAL - 1 ||
-        !etch_array_grow(&data, capacity, *count, sizeof **list)) {
+    if (*count >= OBJ_NO_NORMAL - 1 || !etch_array_grow(&data, capacity, *count, sizeof **list)) {
         return no_memory(file);
     }
     *list = data;
@@ -69,8 +68,8 @@ static bool read_texture_vertex(struct obj_file *file)
 }
 
 /* An index of a corner to a place from 0: 1 is the first, -1 the latest of `count`. */
-static bool take_index(struct obj_file *file, const char *name, struct etch_word word,
-                       size_t count, uint32_t *place)
+static bool take_index(struct obj_file *file, const char *name, struct etch_word word, size_t count,
+                       uint32_t *place)
 {
     int64_t index;
 
@@ -103,8 +102,7 @@ static bool read_corner(struct obj_file *file, struct obj_corner *corner)
         } else if (++n < 3) {
             part[n].text = word.text + i + 1;
         } else {
-            return etch_text_fail(&file->text, "\"%s\" is not v/vt/vn",
-                                  etch_word_show(word).text);
+            return etch_text_fail(&file->text, "\"%s\" is not v/vt/vn", etch_word_show(word).text);
         }
     }
     if ((n == 1 && part[1].size == 0) || (n == 2 && part[2].size == 0)) {

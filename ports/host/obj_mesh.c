@@ -12,12 +12,12 @@
 struct builder {
     const struct obj_file *file;
     struct etch_obj *obj;
-    int32_t *position;   /* x, y, z for each v, scaled; only those used by a face are right */
-    int64_t *average;    /* x, y, z for each v: sum of face normals */
-    uint32_t *first;     /* for each v: newest vertex of the mesh made from it, + 1, or 0 */
-    uint32_t *next;      /* for each vertex of the mesh: the one before it, + 1, or 0 */
+    int32_t *position;         /* x, y, z for each v, scaled; only those used by a face are right */
+    int64_t *average;          /* x, y, z for each v: sum of face normals */
+    uint32_t *first;           /* for each v: newest vertex of the mesh made from it, + 1, or 0 */
+    uint32_t *next;            /* for each vertex of the mesh: the one before it, + 1, or 0 */
     struct obj_corner *vertex; /* for each vertex of the mesh: where it is from */
-    size_t count;        /* of vertices of the mesh */
+    size_t count;              /* of vertices of the mesh */
 };
 
 static bool fail(const struct obj_file *file, const char *reason)

@@ -11,8 +11,8 @@ struct etch_output {
     const struct etch_plane16 *plane;
 
     /* Private. */
-    char *part;   /* where it is written before it gets its name; NULL: written in place */
-    bool placed;  /* it has its name */
+    char *part;  /* where it is written before it gets its name; NULL: written in place */
+    bool placed; /* it has its name */
 };
 
 /* Writes all outputs: regular files under another name first (PATH.part), which take their own

@@ -40,8 +40,7 @@ bool etch_scene_read_byte(struct etch_scene_reader *reader, const char *name, ui
 bool etch_scene_read_rgb(struct etch_scene_reader *reader, uint8_t rgb[3])
 {
     return etch_scene_read_byte(reader, "r", &rgb[0]) &&
-           etch_scene_read_byte(reader, "g", &rgb[1]) &&
-           etch_scene_read_byte(reader, "b", &rgb[2]);
+           etch_scene_read_byte(reader, "g", &rgb[1]) && etch_scene_read_byte(reader, "b", &rgb[2]);
 }
 
 bool etch_scene_take(struct etch_scene_reader *reader, const char *name)
@@ -61,8 +60,7 @@ char *etch_scene_path(struct etch_scene_reader *reader, struct etch_word word)
 {
     const char *scene = reader->text.path;
     const char *slash = strrchr(scene, '/');
-    const size_t folder =
-        slash != NULL && word.text[0] != '/' ? (size_t)(slash + 1 - scene) : 0;
+    const size_t folder = slash != NULL && word.text[0] != '/' ? (size_t)(slash + 1 - scene) : 0;
     char *path = malloc(folder + word.size + 1);
 
     if (path == NULL) {
@@ -102,8 +100,7 @@ static bool read_line(struct etch_scene_reader *reader)
     }
     statement = find_statement(word);
     if (statement == NULL) {
-        return etch_text_fail(&reader->text, "unknown statement \"%s\"",
-                              etch_word_show(word).text);
+        return etch_text_fail(&reader->text, "unknown statement \"%s\"", etch_word_show(word).text);
     }
     if (reader->scene->width == 0 && strcmp(statement->name, "scene") != 0) {
         return etch_text_fail(&reader->text, "the first statement must be \"scene W H\"");

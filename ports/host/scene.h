@@ -13,10 +13,10 @@ struct etch_scene_mesh;
 
 struct etch_scene {
     int16_t width, height;
-    int16_t strip;      /* rows, 0: the whole frame at once */
-    uint8_t format;     /* enum etch_format */
-    bool uses_depth;    /* something tests or writes depth */
-    size_t count;       /* of steps */
+    int16_t strip;       /* rows, 0: the whole frame at once */
+    uint8_t format;      /* enum etch_format */
+    bool uses_depth;     /* something tests or writes depth */
+    size_t count;        /* of steps */
     size_t vertex_bytes; /* RAM for the transformed vertices of its meshes */
 
     /* Private. */

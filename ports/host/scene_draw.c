@@ -73,10 +73,8 @@ static bool make_scratch(struct etch_scene_run *run)
 bool etch_scene_draw(const struct etch_scene *scene, struct etch_surface *surface,
                      struct etch_scene_stats *stats)
 {
-    struct etch_scene_run run = {.surface = *surface,
-                                 .clip = surface->clip,
-                                 .scene = scene,
-                                 .stats = stats};
+    struct etch_scene_run run = {
+        .surface = *surface, .clip = surface->clip, .scene = scene, .stats = stats};
 
     if (!make_scratch(&run)) {
         return false;

@@ -88,8 +88,8 @@ static struct etch_scene_mesh *new_mesh(struct etch_scene_reader *reader)
     struct etch_scene_mesh *mesh = calloc(1, sizeof *mesh);
     void *list = scene->mesh;
 
-    if (mesh == NULL || !etch_array_grow(&list, &scene->mesh_capacity, scene->mesh_count,
-                                         sizeof *scene->mesh)) {
+    if (mesh == NULL ||
+        !etch_array_grow(&list, &scene->mesh_capacity, scene->mesh_count, sizeof *scene->mesh)) {
         free(mesh);
         (void)etch_text_fail(&reader->text, "out of memory");
         return NULL;

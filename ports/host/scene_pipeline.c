@@ -6,15 +6,31 @@
 #include "../../core/fragment/flat_shader.h"
 #include "../../core/fragment/gouraud_shader.h"
 
-enum { SMOOTH, FLAT };
-enum { OFF, NEVER, LESS, EQUAL, LEQUAL, GREATER, NOTEQUAL, GEQUAL, ALWAYS };
+enum {
+    SMOOTH,
+    FLAT
+};
+enum {
+    OFF,
+    NEVER,
+    LESS,
+    EQUAL,
+    LEQUAL,
+    GREATER,
+    NOTEQUAL,
+    GEQUAL,
+    ALWAYS
+};
 
 /* flat_TEST_WRITE, gouraud_TEST_WRITE and gouraud_TEST_WRITE_swapped. */
-#define KERNELS(test, write)                                                                    \
-    static ETCH_KERNEL(flat_##test##_##write, etch_flat_shader, etch_depth_##test, write)       \
-    static ETCH_KERNEL(gouraud_##test##_##write, etch_gouraud_shader, etch_depth_##test, write) \
-    static ETCH_KERNEL(gouraud_##test##_##write##_swapped, etch_gouraud_swapped_shader,         \
-                       etch_depth_##test, write)
+#define KERNELS(test, write)                                                                       \
+    static ETCH_KERNEL(                                                                            \
+        flat_##test##_##write, etch_flat_shader, etch_depth_##test,                                \
+        write) static ETCH_KERNEL(gouraud_##test##_##write, etch_gouraud_shader,                   \
+                                  etch_depth_##test,                                               \
+                                  write) static ETCH_KERNEL(gouraud_##test##_##write##_swapped,    \
+                                                            etch_gouraud_swapped_shader,           \
+                                                            etch_depth_##test, write)
 
 KERNELS(never, 0)
 KERNELS(never, 1)
@@ -31,22 +47,39 @@ KERNELS(gequal, 1)
 KERNELS(always, 0)
 KERNELS(always, 1)
 
-#define FLAT_ROW(ztest, zwrite, kernel)                                                         \
-    {FLAT, ztest, zwrite, {etch_triangle_flat_depth, etch_triangle_flat_depth_swapped},         \
-     {kernel, kernel}, {#kernel, #kernel}}
+#define FLAT_ROW(ztest, zwrite, kernel)                                                            \
+    {                                                                                              \
+        FLAT, ztest, zwrite, {etch_triangle_flat_depth, etch_triangle_flat_depth_swapped},         \
+            {kernel, kernel},                                                                      \
+        {                                                                                          \
+#kernel, #kernel                                                                       \
+        }                                                                                          \
+    }
 
-#define SMOOTH_ROW(ztest, zwrite, kernel)                                                       \
-    {SMOOTH, ztest, zwrite, {etch_triangle_gouraud_depth, etch_triangle_gouraud_depth},         \
-     {kernel, kernel##_swapped}, {#kernel, #kernel "_swapped"}}
+#define SMOOTH_ROW(ztest, zwrite, kernel)                                                          \
+    {                                                                                              \
+        SMOOTH, ztest, zwrite, {etch_triangle_gouraud_depth, etch_triangle_gouraud_depth},         \
+            {kernel, kernel##_swapped},                                                            \
+        {                                                                                          \
+#kernel, #kernel "_swapped"                                                            \
+        }                                                                                          \
+    }
 
-#define ROWS(ztest, zwrite, test)                                                               \
-    FLAT_ROW(ztest, zwrite, flat_##test##_##zwrite),                                            \
-    SMOOTH_ROW(ztest, zwrite, gouraud_##test##_##zwrite)
+#define ROWS(ztest, zwrite, test)                                                                  \
+    FLAT_ROW(ztest, zwrite, flat_##test##_##zwrite),                                               \
+        SMOOTH_ROW(ztest, zwrite, gouraud_##test##_##zwrite)
 
 static const struct etch_scene_pipeline table[] = {
-    {FLAT, OFF, 0, {etch_triangle_flat, etch_triangle_flat_swapped},
-     {etch_kernel_flat, etch_kernel_flat}, {"etch_kernel_flat", "etch_kernel_flat"}},
-    {SMOOTH, OFF, 0, {etch_triangle_gouraud, etch_triangle_gouraud},
+    {FLAT,
+     OFF,
+     0,
+     {etch_triangle_flat, etch_triangle_flat_swapped},
+     {etch_kernel_flat, etch_kernel_flat},
+     {"etch_kernel_flat", "etch_kernel_flat"}},
+    {SMOOTH,
+     OFF,
+     0,
+     {etch_triangle_gouraud, etch_triangle_gouraud},
      {etch_kernel_gouraud, etch_kernel_gouraud_swapped},
      {"etch_kernel_gouraud", "etch_kernel_gouraud_swapped"}},
     FLAT_ROW(LESS, 1, etch_kernel_flat_less),

@@ -11,9 +11,9 @@ struct etch_scene_state {
     uint8_t persp; /* 0 1 */
     uint8_t ztest; /* off never less equal lequal greater notequal gequal always */
     uint8_t zwrite;
-    uint8_t blend; /* off alpha add mul */
-    uint8_t cull;  /* off back front */
-    uint8_t front; /* ccw cw */
+    uint8_t blend;   /* off alpha add mul */
+    uint8_t cull;    /* off back front */
+    uint8_t front;   /* ccw cw */
     uint8_t stencil; /* off, or a function, then .. */
     uint8_t stencil_reference, stencil_mask, stencil_operation[3];
     uint8_t tex;    /* off replace modulate */

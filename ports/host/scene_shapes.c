@@ -115,8 +115,7 @@ static void draw_fillrect(struct etch_scene_run *run, const struct etch_scene_st
                    etch_scene_color(run, step->of.shape.rgb));
     if (run->stats != NULL) {
         run->kernel = NULL;
-        etch_rect_runs(&run->surface, etch_rect_from_size(at[0], at[1], at[2], at[3]),
-                       &count_only);
+        etch_rect_runs(&run->surface, etch_rect_from_size(at[0], at[1], at[2], at[3]), &count_only);
     }
 }
 
@@ -124,8 +123,7 @@ static void draw_disc(struct etch_scene_run *run, const struct etch_scene_step *
 {
     const int16_t *at = step->of.shape.at;
 
-    etch_circle_fill(&run->surface, at[0], at[1], at[2],
-                     etch_scene_color(run, step->of.shape.rgb));
+    etch_circle_fill(&run->surface, at[0], at[1], at[2], etch_scene_color(run, step->of.shape.rgb));
     if (run->stats != NULL) {
         run->kernel = NULL;
         etch_circle_runs(&run->surface, at[0], at[1], at[2], &count_only);

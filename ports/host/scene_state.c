@@ -113,8 +113,7 @@ static bool read_scissor(struct etch_scene_reader *reader)
             return false;
         }
     }
-    step->of.clip =
-        etch_rect_from_size((int16_t)v[0], (int16_t)v[1], (int16_t)v[2], (int16_t)v[3]);
+    step->of.clip = etch_rect_from_size((int16_t)v[0], (int16_t)v[1], (int16_t)v[2], (int16_t)v[3]);
     return true;
 }
 
@@ -147,8 +146,7 @@ static bool read_state(struct etch_scene_reader *reader,
 const struct etch_scene_pipeline *etch_scene_read_pipeline(struct etch_scene_reader *reader)
 {
     const char *reason;
-    const struct etch_scene_pipeline *pipeline =
-        etch_scene_pipeline_find(&reader->state, &reason);
+    const struct etch_scene_pipeline *pipeline = etch_scene_pipeline_find(&reader->state, &reason);
 
     if (pipeline == NULL) {
         (void)etch_text_fail(&reader->text, "drawing with this \"state %s\" is not supported yet",

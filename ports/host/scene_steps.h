@@ -40,8 +40,8 @@ struct etch_scene_step {
             int16_t at[6];
             uint8_t rgb[3];
         } shape;
-        uint8_t rgb[3];      /* clear */
-        uint16_t depth;      /* cleardepth */
+        uint8_t rgb[3];        /* clear */
+        uint16_t depth;        /* cleardepth */
         struct etch_rect clip; /* state scissor */
         struct {
             enum etch_cull cull;

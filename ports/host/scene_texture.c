@@ -34,8 +34,8 @@ static bool read_texels(struct etch_scene_reader *reader)
             return false;
         }
         if (!is_texel(word)) {
-            return etch_text_fail(&reader->text, "texel %lld: \"%s\" is not RRGGBBAA",
-                                  (long long)i, etch_word_show(word).text);
+            return etch_text_fail(&reader->text, "texel %lld: \"%s\" is not RRGGBBAA", (long long)i,
+                                  etch_word_show(word).text);
         }
     }
     return true;

@@ -64,8 +64,7 @@ static void draw_tri(struct etch_scene_run *run, const struct etch_scene_step *s
     etch_scene_painter(run, pipeline)(&run->surface, corners, etch_scene_kernel(run, pipeline));
 }
 
-static bool read_tri(struct etch_scene_reader *reader,
-                     const struct etch_scene_statement *statement)
+static bool read_tri(struct etch_scene_reader *reader, const struct etch_scene_statement *statement)
 {
     struct etch_scene_step *step = etch_scene_append(reader, statement);
 

@@ -134,8 +134,8 @@ static bool read_scale(struct etch_scene_reader *reader, struct etch_matrix *m)
         return false;
     }
     v.y = v.z = v.x;
-    if (etch_text_more(&reader->text) && (!etch_text_q16(&reader->text, "y", &v.y) ||
-                                          !etch_text_q16(&reader->text, "z", &v.z))) {
+    if (etch_text_more(&reader->text) &&
+        (!etch_text_q16(&reader->text, "y", &v.y) || !etch_text_q16(&reader->text, "z", &v.z))) {
         return false;
     }
     etch_matrix_scale(m, v.x, v.y, v.z);

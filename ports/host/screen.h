@@ -12,9 +12,9 @@
 
 struct etch_screen {
     struct etch_display display;
-    uint8_t buffers;           /* 0 direct, else how many the frame loop is given */
+    uint8_t buffers;               /* 0 direct, else how many the frame loop is given */
     struct etch_framebuffer shown; /* what is on the glass */
-    uint64_t bytes, flushes;   /* sent so far */
+    uint64_t bytes, flushes;       /* sent so far */
 
     /* The transfer that has not taken place yet; pixels NULL: none. */
     const uint16_t *pixels;
@@ -23,7 +23,11 @@ struct etch_screen {
 };
 
 /* Makes a black screen. False if the name is unknown or there is no memory. */
-enum etch_screen_status { ETCH_SCREEN_OK, ETCH_SCREEN_UNKNOWN, ETCH_SCREEN_NO_MEMORY };
+enum etch_screen_status {
+    ETCH_SCREEN_OK,
+    ETCH_SCREEN_UNKNOWN,
+    ETCH_SCREEN_NO_MEMORY
+};
 enum etch_screen_status etch_screen_open(struct etch_screen *screen, const char *name,
                                          int16_t width, int16_t height, uint8_t format);
 

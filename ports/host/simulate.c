@@ -87,8 +87,8 @@ bool etch_simulate(struct etch_simulation *s, const char *path, struct etch_erro
 {
     const struct etch_scene *scene = s->scene;
     struct buffers buffers = {{NULL, NULL}, NULL};
-    const enum etch_screen_status status = etch_screen_open(
-        &s->screen, s->port, scene->width, scene->height, scene->format);
+    const enum etch_screen_status status = etch_screen_open(&s->screen, s->port, scene->width,
+                                                            scene->height, scene->format);
     const size_t rows = s->screen.buffers == 0 ? (size_t)scene->height : (size_t)s->rows;
     const size_t elements = rows * (size_t)scene->width;
     bool ok = false;

@@ -15,15 +15,14 @@ struct etch_simulation {
     /* Filled in. */
     struct etch_screen screen;
     struct etch_scene_stats stats;
-    uint16_t *depth;                /* of the whole frame, rows as far apart as the screen's */
+    uint16_t *depth;                   /* of the whole frame, rows as far apart as the screen's */
     uint64_t color_bytes, depth_bytes; /* RAM that the buffers take, or a direct display's
                                           memory */
 };
 
 /* Draws one frame. False, with the reason in *error, which names `path`, if the port is unknown
  * or memory cannot be had. Close in both cases. */
-bool etch_simulate(struct etch_simulation *simulation, const char *path,
-                   struct etch_error *error);
+bool etch_simulate(struct etch_simulation *simulation, const char *path, struct etch_error *error);
 
 void etch_simulation_close(struct etch_simulation *simulation);
 

@@ -222,8 +222,7 @@ bool etch_text_q16(struct etch_text *text, const char *name, int32_t *value)
     return true;
 }
 
-bool etch_text_choice(struct etch_text *text, const char *name, const char *const *list,
-                      int *index)
+bool etch_text_choice(struct etch_text *text, const char *name, const char *const *list, int *index)
 {
     struct etch_word word;
 

@@ -29,14 +29,14 @@ bool etch_error_set(struct etch_error *error, const char *path, unsigned long li
                     const char *format, ...) ETCH_PRINTF(4, 5);
 
 struct etch_text {
-    const char *path;        /* the caller's, for messages */
+    const char *path;         /* the caller's, for messages */
     struct etch_error *error; /* the caller's */
-    char *data;              /* the whole file */
+    char *data;               /* the whole file */
     size_t size;
-    const char *next;        /* where the next line begins */
-    const char *at, *end;    /* what is left of this line */
-    unsigned long line;      /* its number, from 1 */
-    bool joins;              /* a backslash at the end of a line continues it on the next */
+    const char *next;     /* where the next line begins */
+    const char *at, *end; /* what is left of this line */
+    unsigned long line;   /* its number, from 1 */
+    bool joins;           /* a backslash at the end of a line continues it on the next */
 };
 
 /* Reads a whole file into memory (at most 1 GiB). False if it cannot be read; there is nothing

@@ -18,19 +18,22 @@ static void color_follows_the_format(void)
     CHECK_EQ(etch_display_color(&swapped, 0, 255, 0), 0xE007);
 }
 
-enum { WIDTH = 6, HEIGHT = 4, STRIDE = 9, GUARD = 0x5A5A };
+enum {
+    WIDTH = 6,
+    HEIGHT = 4,
+    STRIDE = 9,
+    GUARD = 0x5A5A
+};
 
 static uint16_t pixels[2][STRIDE * HEIGHT];
 static struct etch_framebuffer framebuffers[2] = {{pixels[0], STRIDE}, {pixels[1], STRIDE}};
 
-#define FRAMEBUFFER(i, order)                                                                   \
-    {.context = &framebuffers[i],                                                               \
-     .width = WIDTH,                                                                            \
-     .height = HEIGHT,                                                                          \
-     .format = order,                                                                           \
-     .flush = etch_framebuffer_flush,                                                           \
-     .wait = etch_framebuffer_wait,                                                             \
-     .memory = etch_framebuffer_memory}
+#define FRAMEBUFFER(i, order)                                                                      \
+    {                                                                                              \
+        .context = &framebuffers[i], .width = WIDTH, .height = HEIGHT, .format = order,            \
+        .flush = etch_framebuffer_flush, .wait = etch_framebuffer_wait,                            \
+        .memory = etch_framebuffer_memory                                                          \
+    }
 
 static const struct etch_display displays[2] = {FRAMEBUFFER(0, ETCH_FORMAT_RGB565),
                                                 FRAMEBUFFER(1, ETCH_FORMAT_RGB565_SWAPPED)};

@@ -5,7 +5,11 @@
 
 void suite_frame(void);
 
-enum { MAX_WIDTH = 40, MAX_HEIGHT = 40, MAX_SIZE = MAX_WIDTH * MAX_HEIGHT };
+enum {
+    MAX_WIDTH = 40,
+    MAX_HEIGHT = 40,
+    MAX_SIZE = MAX_WIDTH * MAX_HEIGHT
+};
 
 /* A panel with its own memory. */
 struct panel {
@@ -14,10 +18,10 @@ struct panel {
     const uint16_t *pixels;                   /* of the running transfer, or NULL */
     struct etch_rect area;
     uint16_t stride;
-    int flushes, waits;         /* calls in this frame */
-    int fail_flush, fail_wait;  /* number of the call that fails, from 1; 0: none */
-    int early;                  /* buffers touched before their transfer had ended */
-    int protocol;               /* calls that hal/display.h forbids */
+    int flushes, waits;        /* calls in this frame */
+    int fail_flush, fail_wait; /* number of the call that fails, from 1; 0: none */
+    int early;                 /* buffers touched before their transfer had ended */
+    int protocol;              /* calls that hal/display.h forbids */
 };
 
 static struct panel panel;
@@ -258,7 +262,8 @@ static void each_strip_has_its_own_clip(void)
 
     open_panel(8, 30, false);
     CHECK_EQ(etch_frame_init(&frame, &display, strips_of(10, 2)), 0);
-    for (struct etch_surface *s = etch_frame_begin(&frame); s != NULL; s = etch_frame_next(&frame)) {
+    for (struct etch_surface *s = etch_frame_begin(&frame); s != NULL;
+         s = etch_frame_next(&frame)) {
         const struct etch_rect clip = {2, 2, 3, 25};
 
         narrow += s->clip.x0 != 0;
