@@ -89,8 +89,8 @@ bool etch_simulate(struct etch_simulation *s, const char *path, struct etch_erro
     struct buffers buffers = {{NULL, NULL}, NULL};
     const enum etch_screen_status status = etch_screen_open(&s->screen, s->port, scene->width,
                                                             scene->height, scene->format);
-    const size_t rows = s->screen.buffers == 0 ? (size_t)scene->height : (size_t)s->rows;
-    const size_t elements = rows * (size_t)scene->width;
+    const int16_t rows = s->screen.buffers == 0 ? scene->height : s->rows;
+    const size_t elements = (size_t)etch_mul_s16(rows, scene->width);
     bool ok = false;
 
     if (status == ETCH_SCREEN_UNKNOWN) {
