@@ -30,6 +30,10 @@ struct obj_file {
  * obj may then hold some of its memory, for etch_obj_close. */
 bool obj_build(struct etch_obj *obj, const struct obj_file *file);
 
+/* A normal as it was written, as integers whose largest is 2^27 or more: moving the decimal
+ * point of all three does not turn it. */
+void obj_written_normal(const struct obj_vector *vn, int64_t n[3]);
+
 /* Brings a vector to length 127, rounded; zero stays zero. |components| < 2^62. */
 void obj_normalise(const int64_t n[3], int8_t out[3]);
 
