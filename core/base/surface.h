@@ -40,6 +40,17 @@ ETCH_INLINE size_t etch_surface_index(const struct etch_surface *s, int16_t x, i
     return (size_t)(y - s->window.y0) * s->stride + (size_t)(x - s->window.x0);
 }
 
+/* Addresses as numbers, modulo the address space: they may pass below a plane on the way to it. */
+ETCH_INLINE uintptr_t etch_wrap_address_add(uintptr_t a, uintptr_t b)
+{
+    return a + b;
+}
+
+ETCH_INLINE uintptr_t etch_wrap_address_sub(uintptr_t a, uintptr_t b)
+{
+    return a - b;
+}
+
 /* Address of column 0 of frame row y in a plane, where pixel x stands 2 x bytes further on. The
  * window may begin right of column 0: then this is an address that is never read, and a number
  * rather than a pointer. */
@@ -48,7 +59,7 @@ ETCH_INLINE uintptr_t etch_surface_row(const struct etch_surface *s, const uint1
 {
     const size_t down = (size_t)(y - s->window.y0) * s->stride;
 
-    return (uintptr_t)(plane + down) - (uintptr_t)s->window.x0 * 2;
+    return etch_wrap_address_sub((uintptr_t)(plane + down), (uintptr_t)s->window.x0 * 2);
 }
 
 #endif

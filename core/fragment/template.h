@@ -139,7 +139,7 @@ ETCH_INLINE void etch_shade_depth_run(uint16_t *stored, uintptr_t to_pixel, int1
         do {
             if (writes)
                 *stored = (uint16_t)(z >> 16);
-            *(uint16_t *)((uintptr_t)stored + to_pixel) = shader.color(&f, paint);
+            *(uint16_t *)etch_wrap_address_add((uintptr_t)stored, to_pixel) = shader.color(&f, paint);
             shader.step(&f, paint);
             z = etch_wrap_add(z, dz);
             stored++;
@@ -156,11 +156,12 @@ ETCH_INLINE void etch_shade_runs(const struct etch_surface *s, int16_t y0,
     const struct etch_run *const end = runs + n;
     const uintptr_t stride = (uintptr_t)s->stride * 2;
     uintptr_t row = etch_surface_row(s, passes != NULL ? s->depth : s->pixels, y0);
-    const uintptr_t to_pixel = (uintptr_t)s->pixels - (uintptr_t)s->depth;
+    const uintptr_t to_pixel =
+        etch_wrap_address_sub((uintptr_t)s->pixels, (uintptr_t)s->depth);
 
     for (int16_t y = y0; runs != end; runs++, y++, row += stride) {
         const int16_t x0 = runs->x0, x1 = runs->x1;
-        uint16_t *const first = (uint16_t *)(row + (uintptr_t)x0 * 2);
+        uint16_t *const first = (uint16_t *)etch_wrap_address_add(row, (uintptr_t)x0 * 2);
 
         if (x0 == x1)
             continue;
