@@ -86,19 +86,21 @@ ETCH_INLINE int32_t etch_mul_high(int32_t a, int32_t b)
 }
 #endif
 
-/* Leading zero bits of v; 32 for 0. */
+/* Leading zero bits of v; 32 for 0. Some 20 instructions on ARMv6-M. */
 ETCH_INLINE uint8_t etch_leading_zeros(uint32_t v)
 {
     uint8_t n = 0;
 
-    if (v == 0)
-        return 32;
-    for (uint8_t step = 16; step != 0; step >>= 1) {
-        if (v >> (32 - step) == 0) {
-            v <<= step;
-            n = (uint8_t)(n + step);
-        }
-    }
+    if (v >> 16 == 0)
+        v <<= 16, n = 16;
+    if (v >> 24 == 0)
+        v <<= 8, n = (uint8_t)(n + 8);
+    if (v >> 28 == 0)
+        v <<= 4, n = (uint8_t)(n + 4);
+    if (v >> 30 == 0)
+        v <<= 2, n = (uint8_t)(n + 2);
+    if (v >> 31 == 0)
+        n = (uint8_t)(n + (v == 0 ? 2 : 1));
     return n;
 }
 

@@ -2,7 +2,7 @@
  *
  * plane.h is exact for every triangle but divides in 64 bits. A triangle whose width and height
  * add up to less than 1024 px keeps the same promise (colour within 1/2 + 1/64 step and inside the
- * rounded range of its vertices, depth within 1/2 + 1/64 unit) with one 32-bit division and a
+ * rounded range of its vertices, depth within 1/2 + 1/64 unit) with one 32-bit reciprocal and a
  * few products per plane. Such planes are anchored at the topmost vertex, so they do not depend
  * on where on the frame the triangle lies. Slivers for which 32 bits are too few say so and take
  * the way of plane.h; which way is taken depends on the triangle alone, never on the clip.
@@ -16,17 +16,13 @@ struct etch_basis {
     int32_t x1, y1, x2, y2; /* vertices 1 and 2 against 0, 1/256 px, signed so that D > 0 */
     int32_t reciprocal;     /* 2^62 / (D 2^shift), 2^30 .. 2^31 - 1, within 2^-27 of itself */
     int8_t shift;           /* brings D into 2^31 .. 2^32 - 1 */
-    uint8_t bits;           /* extents are below 2^bits */
+    uint8_t bits;           /* extents are below 2^bits: 12, 14, 16 or 18 */
     int32_t ax, ay;         /* the pixel of vertex 0 */
     int32_t fx, fy;         /* from vertex 0 to that pixel's centre, 1/256 px, -127 .. 128 */
 };
 
 /* False if the triangle is not near; then use plane.h. */
 bool etch_basis_setup(struct etch_basis *b, const struct etch_triangle *t);
-
-/* The plane with slopes sx 2^s and sy 2^s per pixel that is v0 at vertex 0; s = -31 .. 31. */
-void etch_basis_anchor(const struct etch_basis *b, uint32_t v0, int32_t sx, int32_t sy, int8_t s,
-                       struct etch_plane *plane);
 
 /* The planes of the colours of the caller's vertices. False for slivers. */
 bool etch_basis_color(const struct etch_basis *b, const struct etch_triangle *t,

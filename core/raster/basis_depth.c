@@ -38,6 +38,26 @@ static uint8_t products(const struct etch_basis *b, int32_t d1, int32_t d2, int3
     return drop;
 }
 
+/* slope * f / 256 * 2^s, for f = -127 .. 128. */
+static uint32_t offset(int32_t slope, int32_t f, int8_t s)
+{
+    return etch_wrap_scale((slope >> 8) * f + (((slope & 255) * f) >> 8), s);
+}
+
+/* The plane with slopes sx 2^s and sy 2^s per pixel that is v0 at vertex 0; s = -31 .. 31. */
+static void anchor(const struct etch_basis *b, uint32_t v0, int32_t sx, int32_t sy, int8_t s,
+                   struct etch_plane *plane)
+{
+    const uint32_t dx = etch_wrap_scale(sx, s), dy = etch_wrap_scale(sy, s);
+    uint32_t v = etch_wrap_add(v0, offset(sx, b->fx, s));
+
+    v = etch_wrap_add(v, offset(sy, b->fy, s));
+    v = etch_wrap_sub(v, etch_wrap_mul(dx, (uint32_t)b->ax));
+    plane->origin = etch_wrap_sub(v, etch_wrap_mul(dy, (uint32_t)b->ay));
+    plane->dx = dx;
+    plane->dy = dy;
+}
+
 bool etch_basis_depth(const struct etch_basis *b, const struct etch_triangle *t,
                       const struct etch_vertex *const v[3], struct etch_plane *z)
 {
@@ -53,7 +73,7 @@ bool etch_basis_depth(const struct etch_basis *b, const struct etch_triangle *t,
 
     if (s + b->bits > 16) /* 2^s (width + height) 2^-16 is to stay below 1/128 unit */
         return false;
-    etch_basis_anchor(b, z0, etch_mul_high(n[0] * up, b->reciprocal),
-                      etch_mul_high(n[1] * up, b->reciprocal), s < -31 ? -31 : s, z);
+    anchor(b, z0, etch_mul_high(n[0] * up, b->reciprocal), etch_mul_high(n[1] * up, b->reciprocal),
+           s < -31 ? -31 : s, z);
     return true;
 }
