@@ -1,7 +1,11 @@
-/* base/fill.c: rows of one value. Called by clears and straight lines. See fill.h. */
+/* base/fill.c: rectangles of one value. Called by clears, rectangles and straight lines. See
+ * fill.h. */
 #include "fill.h"
 
-void etch_fill(uint16_t *p, size_t n, uint16_t value)
+void etch_fill_rows(uint16_t *p, uint32_t n, uint16_t value, uint32_t rows, size_t stride)
 {
-    etch_fill_row(p, (uint32_t)n, value * UINT32_C(0x10001));
+    const uint32_t twice = value * UINT32_C(0x10001);
+
+    for (; rows != 0; rows--, p += stride)
+        etch_fill_row(p, n, twice);
 }

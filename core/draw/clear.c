@@ -6,21 +6,13 @@
 static void clear(const struct etch_surface *s, uint16_t *plane, uint16_t value)
 {
     const struct etch_rect c = s->clip;
-    const uint16_t width = (uint16_t)(c.x1 - c.x0);
-    int16_t rows = (int16_t)(c.y1 - c.y0);
+    uint32_t width = (uint32_t)(c.x1 - c.x0), rows = (uint32_t)(c.y1 - c.y0);
 
     if (etch_rect_is_empty(c))
         return;
-    plane += etch_surface_index(s, c.x0, c.y0);
-    if (width == s->stride) { /* rows without a gap are one */
-        etch_fill(plane, (size_t)width * (size_t)rows, value);
-        return;
-    }
-    etch_fill(plane, width, value);
-    while (--rows > 0) {
-        plane += s->stride;
-        etch_fill(plane, width, value);
-    }
+    if (width == s->stride) /* rows without a gap are one */
+        width *= rows, rows = 1;
+    etch_fill_rows(plane + etch_surface_index(s, c.x0, c.y0), width, value, rows, s->stride);
 }
 
 void etch_surface_clear(const struct etch_surface *s, uint16_t color)

@@ -10,7 +10,8 @@ void etch_hline_draw(const struct etch_surface *s, int16_t x, int16_t y, int16_t
         etch_rect_intersect(etch_rect_from_size(x, y, w, 1), s->clip);
 
     if (!etch_rect_is_empty(r))
-        etch_fill(s->pixels + etch_surface_index(s, r.x0, r.y0), (uint16_t)(r.x1 - r.x0), color);
+        etch_fill_rows(s->pixels + etch_surface_index(s, r.x0, r.y0), (uint32_t)(r.x1 - r.x0),
+                       color, 1, 0);
 }
 
 void etch_vline_draw(const struct etch_surface *s, int16_t x, int16_t y, int16_t h,

@@ -1,0 +1,102 @@
+@ leaf/armv6m/flat.S: etch_kernel_flat for ARMv6-M, in place of fragment/flat.c.
+
+#include "fill_row.inc"
+
+    .section .text.etch_kernel_flat, "ax"
+    .global etch_kernel_flat
+    .thumb_func
+    .type etch_kernel_flat, %function
+etch_kernel_flat:           @ surface, y0, runs, n, [paint]
+    push {r4-r7, lr}
+    mov r4, r8
+    mov r5, r9
+    mov r6, r10
+    mov r7, r11
+    push {r4-r7}
+
+    lsls r3, #2
+    adds r3, r2
+    mov r10, r3             @ end of the runs
+    ldrh r4, [r0, #8]       @ surface->stride
+    lsls r4, #1
+    mov r9, r4
+    movs r5, #12
+    ldrsh r5, [r0, r5]      @ window.y0
+    subs r5, r1, r5
+    muls r4, r5
+    movs r5, #10
+    ldrsh r5, [r0, r5]      @ window.x0
+    lsls r5, #1
+    subs r4, r5
+    ldr r5, [r0]            @ pixels
+    adds r4, r5
+    mov r8, r4              @ address of column 0
+    ldr r3, [sp, #36]
+    ldrh r3, [r3, #4]       @ paint->color
+    spread
+    ldr r7, =end_of_chain
+    mov r11, r7
+    ldr r7, =end_of_short
+    mov r12, r7
+
+row:                        @ r2: runs, r8: address of column 0
+    ldrh r0, [r2]
+    ldrh r1, [r2, #2]
+    subs r1, r0             @ pixels
+    lsls r0, #1
+    add r0, r8
+    cmp r1, #8
+    bcc short
+    lsls r7, r0, #31        @ C = bit 1
+    bcc even
+    strh r3, [r0]
+    adds r0, #2
+    subs r1, #1
+even:
+    lsrs r7, r1, #3
+    cmp r7, #64
+    bhi long
+jump:
+    lsls r7, #1
+    negs r7, r7
+    add r7, r11
+    mov pc, r7
+    store_chain end_of_chain
+    store_rest
+next:
+    add r8, r9
+    adds r2, #4
+    cmp r2, r10
+    bne row
+
+    pop {r4-r7}
+    mov r8, r4
+    mov r9, r5
+    mov r10, r6
+    mov r11, r7
+    pop {r4-r7, pc}
+
+short:
+    lsls r7, r1, #1
+    negs r7, r7
+    add r7, r12
+    mov pc, r7
+    strh r3, [r0, #12]
+    strh r3, [r0, #10]
+    strh r3, [r0, #8]
+    strh r3, [r0, #6]
+    strh r3, [r0, #4]
+    strh r3, [r0, #2]
+    strh r3, [r0]
+end_of_short:
+    b next
+
+long:                       @ more than 64 stores: down to 64
+    stmia r0!, {r3-r6}
+    subs r1, #8
+    subs r7, #1
+    cmp r7, #64
+    bhi long
+    b jump
+    .size etch_kernel_flat, . - etch_kernel_flat
+    .ltorg
