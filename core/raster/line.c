@@ -9,6 +9,7 @@
  * two divisions; dv k + h <= 65535 * 65535 + 32767 < 2^32.
  */
 #include "line.h"
+#include "line_walk.h"
 
 /* A line in walking order, and the part of it to draw. */
 struct walk {
@@ -51,22 +52,9 @@ static bool walk_clip(struct walk *w, int16_t u_lo, int16_t u_hi, int16_t v_lo, 
     return true;
 }
 
-/* Draws k = from .. to, the first at p, with remainder (dv from + h) modulo du. Steps before it
- * writes, so that p never leaves the clip. */
-static void walk_draw(const struct walk *w, uint16_t *p, ptrdiff_t along, ptrdiff_t across,
-                      uint32_t remainder, uint16_t color)
+static bool is_inside(const struct etch_rect *c, struct etch_point p)
 {
-    const int32_t du = w->du, dv = w->dv;
-    int32_t e = (int32_t)remainder - du; /* -du .. -1: dv k + h modulo du, less du */
-
-    *p = color;
-    for (uint16_t n = (uint16_t)(w->to - w->from); n != 0; n--) {
-        p += along;
-        e += dv;
-        if (e >= 0)
-            e -= du, p += across;
-        *p = color;
-    }
+    return p.x >= c->x0 && p.x < c->x1 && p.y >= c->y0 && p.y < c->y1;
 }
 
 /* The line without its far end if `open`. */
@@ -92,20 +80,28 @@ static void line(const struct etch_surface *s, struct etch_point a, struct etch_
     if (open && du == 0)
         return;
     w.to = (uint16_t)(w.du - (open && !backward));
-    if (!(steep ? walk_clip(&w, c.y0, c.y1, c.x0, c.x1) : walk_clip(&w, c.x0, c.x1, c.y0, c.y1)))
+    if (!(is_inside(&c, a) && is_inside(&c, b)) &&
+        !(steep ? walk_clip(&w, c.y0, c.y1, c.x0, c.x1) : walk_clip(&w, c.x0, c.x1, c.y0, c.y1)))
         return;
 
     const uint32_t h = (uint32_t)(w.du - (w.du != 0)) / 2;
     const uint32_t at = etch_mul_u16(w.dv, w.from) + h;
-    const uint32_t m = w.du != 0 ? at / w.du : 0;
+    const uint32_t m = w.du != 0 && w.from != 0 ? at / w.du : 0;
     const int16_t u = (int16_t)((int32_t)w.u0 + w.from);
     const int16_t v = (int16_t)(w.sv > 0 ? w.v0 + (int32_t)m : w.v0 - (int32_t)m);
     uint16_t *const pixel = s->pixels + (steep ? etch_surface_index(s, v, u)
                                                : etch_surface_index(s, u, v));
     const ptrdiff_t row = (ptrdiff_t)s->stride;
+    const ptrdiff_t along = steep ? row : 1;
+    const ptrdiff_t aside = along + (steep ? w.sv : w.sv > 0 ? row : -row);
+    const int32_t e = (int32_t)(at - m * w.du) - w.du; /* dv from + h modulo du, less du */
 
-    walk_draw(&w, pixel, steep ? row : 1, steep ? w.sv : w.sv > 0 ? row : -row, at - m * w.du,
-              color);
+    /* Above 1/2 the roles change: it goes along where dv' = du - dv reaches 0 from e'. */
+    if (2 * (int32_t)w.dv <= w.du)
+        etch_line_walk(pixel, (uint32_t)(w.to - w.from), along, aside, e, w.du, w.dv, color);
+    else
+        etch_line_walk(pixel, (uint32_t)(w.to - w.from), aside, along, -1 - (e + w.du), w.du,
+                       w.du - w.dv, color);
 }
 
 void etch_line_draw(const struct etch_surface *s, int16_t x0, int16_t y0, int16_t x1, int16_t y1,
