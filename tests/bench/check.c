@@ -37,9 +37,12 @@ static bool depth_is_right(int64_t exact, uint16_t drawn)
                               : llabs(((int64_t)drawn << 16) - exact) <= CHECK_TOLERANCE;
 }
 
-static bool pixel_is_right(int x, int y)
+static bool pixel_is_right(int workload, int x, int y)
 {
     const int i = y * WL_W + x;
+
+    if (workload == WL_BIG_TEX)
+        return c.expected[y][x].drawn ? c.matched[y][x] : c.color[i] == 0;
 
     if (c.depth == NULL)
         return c.expected[y][x].drawn ? check_color(c.color[i], c.expected[y][x].channel)
@@ -56,7 +59,7 @@ static int compare(int workload)
 
     for (int y = 0; y < WL_H; y++)
         for (int x = 0; x < WL_W; x++)
-            if (!pixel_is_right(x, y) && wrong++ < 5)
+            if (!pixel_is_right(workload, x, y) && wrong++ < 5)
                 fprintf(stderr, "W%d: pixel (%d, %d) is wrong: 0x%04x\n", workload, x, y,
                         (unsigned)c.color[y * WL_W + x]);
     return wrong;
@@ -73,6 +76,8 @@ static bool expect(int workload, uint8_t frame)
         return check_torus(&c, frame);
     if (workload <= WL_DISC)
         check_2d(&c, workload);
+    else if (workload == WL_BIG_TEX || workload == WL_BIG_TEXP_Z)
+        check_textures(&c);
     else
         check_triangles(&c, workload);
     return true;

@@ -44,6 +44,9 @@ void check_2d(struct check *c, int workload);
 /* Triangles: W6..W11. Without depth fills in `expected`, with depth `least` and `matched`. */
 void check_triangles(struct check *c, int workload);
 
+/* Texture: W12 and W13. Without depth fills in `expected` and `matched`. */
+void check_textures(struct check *c);
+
 /* W15: false, and says why, if the vertex stage puts a triangle elsewhere; as above otherwise. */
 bool check_torus(struct check *c, uint8_t frame);
 

@@ -1,0 +1,7 @@
+/* draw/texture_exact_less.c: one way to draw in perspective. See texture.h. */
+#include "../fragment/texture.h"
+#include "texture.h"
+
+const struct etch_perspective_kernels etch_perspective_exact_less = {
+    etch_kernel_texture_less, etch_kernel_perspective_exact_less,
+    etch_kernel_perspective_exact_less};

@@ -1,0 +1,6 @@
+/* draw/texture_perspective_less.c: one way to draw in perspective. See texture.h. */
+#include "../fragment/texture.h"
+#include "texture.h"
+
+const struct etch_perspective_kernels etch_perspective_less = {
+    etch_kernel_texture_less, etch_kernel_perspective_less, etch_kernel_perspective_exact_less};

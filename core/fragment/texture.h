@@ -1,0 +1,48 @@
+/* fragment/texture.h: the nearest texel, repeated.
+ *
+ *      coordinates     without depth                 with, LESS and LEQUAL
+ *      affine          etch_kernel_texture           .._texture_less, .._texture_lequal
+ *      a divide every  etch_kernel_perspective       .._perspective_less, .._perspective_lequal
+ *      16 pixels
+ *      a divide every  etch_kernel_perspective_      .._perspective_exact_less,
+ *      pixel           exact                         .._perspective_exact_lequal
+ *
+ * Texels are in the surface's byte order, so that there is one kernel for both. No kernel reads
+ * outside the texture, whatever its planes are.
+ */
+#ifndef ETCH_FRAGMENT_TEXTURE_H
+#define ETCH_FRAGMENT_TEXTURE_H
+
+#include "../base/texture.h"
+
+struct etch_texture_paint {
+    struct etch_paint paint; /* .kernel = an affine one */
+    struct etch_plane z;     /* 16.16 + 1/2; read by the depth kernels only */
+    struct etch_plane u, v;  /* in the formats of the map */
+    struct etch_texel_map map;
+};
+
+etch_kernel etch_kernel_texture;
+etch_kernel etch_kernel_texture_less;
+etch_kernel etch_kernel_texture_lequal;
+
+struct etch_perspective_paint {
+    struct etch_paint paint; /* .kernel = one of those below */
+    struct etch_plane z;
+    struct etch_perspective_planes coordinates;
+    struct etch_texel_map map;
+    uint8_t width_bits;
+};
+
+/* Coordinates right where x is a multiple of 16 of the frame, linear between: strips and clips
+ * change nothing. For triangles whose set-up says so (raster/texture_plane.h). */
+etch_kernel etch_kernel_perspective;
+etch_kernel etch_kernel_perspective_less;
+etch_kernel etch_kernel_perspective_lequal;
+
+/* Coordinates right at every pixel, and between those of the vertices. */
+etch_kernel etch_kernel_perspective_exact;
+etch_kernel etch_kernel_perspective_exact_less;
+etch_kernel etch_kernel_perspective_exact_lequal;
+
+#endif
