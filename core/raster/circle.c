@@ -68,35 +68,54 @@ static void octant_clip(struct octant *o, struct etch_rect clip, int16_t cx, int
     o->to = x_hi < o->to ? x_hi : o->to;
 }
 
-/* Writes x = from .. to of an octant. d is F(x + 1, y - 1/2) - 1/4 with F = x^2 + y^2 - r^2:
- * below 0 the midpoint is inside and y stays. |d| <= 2^17 for r <= 32767. Steps before it
- * writes, so that p never leaves the clip. */
+/* The outline's y at x; y(0) = y(1) = r. */
+static int32_t outline_y(int32_t x, int32_t r)
+{
+    const int32_t square = r * r - x * x;
+    int32_t y;
+
+    if (x <= 1)
+        return r;
+    y = sqrt_down(square);
+    return y + (square - y * y > y); /* nearest */
+}
+
+/* Writes x = from .. to of an octant. From one pixel to the next, d = F(x, y - 1/2) - 1/4 with
+ * F = x^2 + y^2 - r^2 grows by right = 2 x - 1; if it is not below 0 then, the midpoint is outside,
+ * y falls and d shrinks by down = 2 y - 2. |d| <= 2^17 for r <= 32767. Steps before it writes, so
+ * that p never leaves the clip. */
 static void octant_draw(const struct octant *o, const struct etch_surface *s, int16_t cx,
                         int16_t cy, int32_t r, uint16_t color)
 {
-    const int32_t from = o->from, square = r * r - from * from;
-    const int32_t floor_y = sqrt_down(square);
-    const int32_t y = floor_y + (square - floor_y * floor_y > floor_y); /* nearest */
+    const int32_t from = o->from, y = outline_y(from, r);
     const int16_t px = (int16_t)(cx + o->sx * (o->swapped ? y : from));
     const int16_t py = (int16_t)(cy + o->sy * (o->swapped ? from : y));
     const ptrdiff_t row = o->sy > 0 ? (ptrdiff_t)s->stride : -(ptrdiff_t)s->stride;
     const ptrdiff_t along = o->swapped ? row : o->sx, across = o->swapped ? o->sx : row;
     uint16_t *p = s->pixels + etch_surface_index(s, px, py);
-    int32_t right = 2 * from + 3, down = 2 * y - 2; /* what a step along, across adds to d */
-    int32_t d = (from + 1) * (from + 1) + y * y - y - r * r;
+    int32_t right = 2 * from - 1, down = 2 * y - 2;
+    int32_t d = from * from + y * y - y - r * r;
+    const int32_t last = 2 * o->to - 1;
 
     *p = color;
-    for (int32_t n = o->to - from; n > 0; n--) {
+    while (right != last) {
+        right += 2;
         p += along;
+        d += right;
         if (d >= 0) {
             p -= across;
             d -= down;
             down -= 2;
         }
-        d += right;
-        right += 2;
         *p = color;
     }
+}
+
+/* Whether no clipping is needed. */
+static bool circle_is_inside(const struct etch_rect *c, int16_t cx, int16_t cy, int16_t r)
+{
+    return cx - (int32_t)r >= c->x0 && cx + (int32_t)r < c->x1 && cy - (int32_t)r >= c->y0 &&
+           cy + (int32_t)r < c->y1;
 }
 
 void etch_circle_draw(const struct etch_surface *s, int16_t cx, int16_t cy, int16_t r,
@@ -108,6 +127,7 @@ void etch_circle_draw(const struct etch_surface *s, int16_t cx, int16_t cy, int1
         return;
     }
 
+    const bool inside = circle_is_inside(&s->clip, cx, cy, r);
     const int32_t end = octant_end(r);
     const bool diagonal = (int32_t)r * r <= 2 * end * end + end; /* y(end) = end: one pixel */
 
@@ -119,7 +139,8 @@ void etch_circle_draw(const struct etch_surface *s, int16_t cx, int16_t cy, int1
             o.from = 1; /* x = 0 belongs to the other sign */
         if (o.swapped && diagonal)
             o.to = end - 1;
-        octant_clip(&o, s->clip, cx, cy, r);
+        if (!inside)
+            octant_clip(&o, s->clip, cx, cy, r);
         if (o.from <= o.to)
             octant_draw(&o, s, cx, cy, r, color);
     }

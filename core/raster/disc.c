@@ -5,28 +5,71 @@
  *      j <= end:  w = y(j)                  the largest w with w^2 - w < r^2 - j^2
  *      j >  end:  w = last x with y(x) = j  the largest w with w^2 < r^2 - j^2 + j
  *
- * (octants and `end` as in circle.c; y(x) >= j <=> x^2 < r^2 - j^2 + j). w changes little from
- * row to row, so after one square root it is followed up or down.
+ * (octants and `end` as in circle.c; y(x) >= j <=> x^2 < r^2 - j^2 + j). With steep = 1 in the
+ * second case and 0 in the first, w is the largest with
+ *
+ *      d = w^2 + j^2 - r^2 - (steep ? j : w) < 0
+ *
+ * and from row to row d is kept by sums: one square root a disc, no product a row.
  */
 #include "octant.h"
 
 struct width {
-    int32_t rr, end; /* r^2, and the octant's last x */
-    int32_t w;       /* of the row followed last */
+    int32_t w, j, d; /* d < 0, and >= 0 for w + 1 */
+    int32_t steep;   /* 1 or 0 */
+    int32_t end;     /* the octant's last x */
 };
 
-/* Whether half width w lies on or inside the outline in row j; w >= 0. */
-static bool is_inside(const struct width *h, int32_t w, int32_t j)
+static void width_set(struct width *h, int32_t r, int32_t j)
 {
-    return j <= h->end ? w * w - w < h->rr - j * j : w * w < h->rr - j * j + j;
+    const int32_t rr = r != 0 ? r * r : 1; /* r = 0: w = 0 by the second rule */
+
+    h->end = r != 0 ? octant_end(r) : -1;
+    h->steep = j > h->end;
+    h->j = j;
+    h->w = etch_sqrt_u32((uint32_t)(rr - j * j + (h->steep ? j : 0))) + 1; /* too much by 0 .. 2 */
+    h->d = h->w * h->w + j * j - rr - (h->steep ? j : h->w);
+    while (h->d >= 0) {
+        h->w--;
+        h->d -= 2 * h->w + h->steep;
+    }
 }
 
-static void width_follow(struct width *h, int32_t j)
+/* To the next row towards the centre: w grows. */
+ETCH_INLINE void width_rise(struct width *h)
 {
-    while (is_inside(h, h->w + 1, j))
+    int32_t more;
+
+    h->j--;
+    h->d -= 2 * h->j + 1 - h->steep;
+    if (h->j == h->end) {
+        h->d += h->j - h->w;
+        h->steep = 0;
+    }
+    while (more = h->d + 2 * h->w + h->steep, more < 0) {
+        h->d = more;
         h->w++;
-    while (!is_inside(h, h->w, j))
+    }
+}
+
+/* To the next row away from it: w shrinks, below the last row of the disc to -1. */
+ETCH_INLINE void width_fall(struct width *h)
+{
+    h->d += 2 * h->j + 1 - h->steep;
+    h->j++;
+    if (h->j == h->end + 1) {
+        h->d += h->w - h->j;
+        h->steep = 1;
+    }
+    while (h->d >= 0 && h->w >= 0) {
         h->w--;
+        h->d -= 2 * h->w + h->steep;
+    }
+}
+
+static int16_t held(int32_t x, const struct etch_rect *c)
+{
+    return (int16_t)(x < c->x0 ? c->x0 : x > c->x1 ? c->x1 : x);
 }
 
 void etch_circle_runs(const struct etch_surface *s, int16_t cx, int16_t cy, int16_t r,
@@ -37,28 +80,24 @@ void etch_circle_runs(const struct etch_surface *s, int16_t cx, int16_t cy, int1
     int32_t y = top > c.y0 ? top : c.y0;
     const int32_t y1 = bottom < c.y1 ? bottom : c.y1;
     struct etch_run runs[ETCH_RUN_BLOCK];
-    struct width h = {(int32_t)r * r, 0, 0};
+    struct width h;
 
     if (r < 0 || y >= y1 || (int32_t)cx - r >= c.x1 || (int32_t)cx + r < c.x0)
         return;
-    if (r == 0)
-        h.rr = 1, h.end = -1; /* the second rule then gives w = 0 in row 0 */
-    else
-        h.end = octant_end(r);
-    h.w = etch_sqrt_u32((uint32_t)(h.rr - (y - cy) * (y - cy)));
+    width_set(&h, r, y < cy ? cy - y : y - cy);
     while (y < y1) {
-        uint8_t n = 0;
+        const int32_t n = y1 - y < ETCH_RUN_BLOCK ? y1 - y : ETCH_RUN_BLOCK;
+        struct etch_run *run = runs;
 
-        for (const int32_t start = y; y < y1 && y - start < ETCH_RUN_BLOCK; y++, n++) {
-            int32_t x0, x1;
-
-            width_follow(&h, y < cy ? cy - y : y - cy);
-            x0 = cx - h.w, x1 = cx + h.w + 1;
-            x0 = x0 < c.x0 ? c.x0 : x0 > c.x1 ? c.x1 : x0;
-            x1 = x1 < c.x0 ? c.x0 : x1 > c.x1 ? c.x1 : x1;
-            runs[n].x0 = (int16_t)x0;
-            runs[n].x1 = (int16_t)x1;
-        }
-        paint->kernel(s, (int16_t)(y - n), runs, n, paint);
+        do {
+            run->x0 = held(cx - h.w, &c);
+            run->x1 = held(cx + h.w + 1, &c);
+            if (y < cy)
+                width_rise(&h);
+            else
+                width_fall(&h);
+            y++, run++;
+        } while (run != runs + n);
+        paint->kernel(s, (int16_t)(y - n), runs, (uint8_t)n, paint);
     }
 }

@@ -4,11 +4,11 @@
 
 #include "circle.h"
 
-/* The last x of the octant 0 <= x <= y(x):  x <= y(x)  <=>  2 x^2 - x < r^2. r is 1 .. 32767,
- * the result within one of r / sqrt(2). */
+/* The last x of the octant 0 <= x <= y(x):  x <= y(x)  <=>  2 x^2 - x < r^2. r is 1 .. 32767. It
+ * is within one of r / sqrt(2), 46341 / 65536 = sqrt(1/2) (1 + 2^-17). */
 ETCH_INLINE int32_t octant_end(int32_t r)
 {
-    int32_t x = etch_sqrt_u32((uint32_t)(r * r) / 2) + 1;
+    int32_t x = (r * INT32_C(46341) >> 16) + 1;
 
     while (2 * x * x - x >= r * r)
         x--;
