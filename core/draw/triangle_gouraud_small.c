@@ -1,0 +1,15 @@
+/* draw/triangle_gouraud_small.c: triangles with interpolated colour, in few bytes. Called by
+ * applications and by the mesh's sink. See triangle_small.h. */
+#include "../fragment/gouraud.h"
+#include "setup_small.h"
+
+void etch_triangle_gouraud_small(const struct etch_surface *s, const struct etch_vertex *const v[3],
+                                 etch_kernel *kernel)
+{
+    struct etch_gouraud_paint paint;
+    struct etch_point_q8 p[3];
+
+    paint.paint.kernel = kernel;
+    if (etch_setup_small(&paint, p, v))
+        etch_triangle_runs_small(s, p, &paint.paint);
+}
