@@ -1,6 +1,6 @@
-/* draw/shapes.h: filled 2D shapes in one colour (outlines are in raster/). Every int16_t
- * argument is legal: what is off screen or empty draws what it covers. `color` is in the
- * surface's byte order. Each pixel is written once. */
+/* draw/shapes.h: 2D shapes in one colour, and clears. Every int16_t argument is legal: what is
+ * off screen or empty draws what it covers. `color` is in the surface's byte order. Filled shapes
+ * and clears write each pixel once. Lines, circles and rectangle outlines are in raster/. */
 #ifndef ETCH_DRAW_SHAPES_H
 #define ETCH_DRAW_SHAPES_H
 
@@ -18,13 +18,15 @@ void etch_circle_fill(const struct etch_surface *s, int16_t cx, int16_t cy, int1
 void etch_triangle_fill(const struct etch_surface *s, int16_t x0, int16_t y0, int16_t x1,
                         int16_t y1, int16_t x2, int16_t y2, uint16_t color);
 
-/* Its outline: three lines, each corner once. */
+/* Its outline: three lines of raster/line.h, each corner once; where lines of a thin triangle run
+ * together, pixels are written again. */
 void etch_triangle_draw(const struct etch_surface *s, int16_t x0, int16_t y0, int16_t x1,
                         int16_t y1, int16_t x2, int16_t y2, uint16_t color);
 
-/* The colour plane, and the depth plane, through the clip: every pixel becomes the value.
- * etch_depth_clear needs a depth plane. */
+/* Every pixel inside the clip becomes `color`. */
 void etch_surface_clear(const struct etch_surface *s, uint16_t color);
+/* Every depth inside the clip becomes `depth`, 65535 for "nothing drawn yet". The surface must
+ * have a depth plane. */
 void etch_depth_clear(const struct etch_surface *s, uint16_t depth);
 
 #endif

@@ -1,5 +1,5 @@
 /* fragment/barycentric.c: a user's function per pixel. Called through a paint that
- * draw/barycentric.c makes. See barycentric.h. */
+ * draw/triangle_barycentric.c makes. See barycentric.h. */
 #include "barycentric.h"
 
 /* 1.31 to 16.16, rounded, held inside 0 .. limit: a weight that drifted across an end of its
