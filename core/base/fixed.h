@@ -26,9 +26,17 @@
  * rearranges sums nor computes them a second time. No instruction. */
 #define ETCH_KEEP(local) __asm__("" : "+r"(local))
 #else
-#define ETCH_KEEP(local) ((void)0)
 #define ETCH_INLINE static inline
 #define ETCH_COLD
+#define ETCH_KEEP(local) ((void)0)
+#endif
+
+/* Unrolls the loop that follows n times, where the compiler knows how. */
+#if defined(__clang__) || (defined(__GNUC__) && __GNUC__ >= 8)
+#define ETCH_PRAGMA(text) _Pragma(#text)
+#define ETCH_UNROLL(n) ETCH_PRAGMA(GCC unroll n)
+#else
+#define ETCH_UNROLL(n)
 #endif
 
 _Static_assert(CHAR_BIT == 8, "etch needs 8-bit bytes");

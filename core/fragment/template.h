@@ -87,32 +87,23 @@ ETCH_INLINE void etch_shade_run(uint16_t *pixel, uint32_t n, struct etch_fragmen
     }
 }
 
-/* The first pixel from `stored` on that passes, or end; *z follows. Four at a time, because most
- * pixels of a deep scene fail here. */
+/* The first pixel from `stored` on that passes, or end; *z follows. Eight at a time, because most
+ * pixels of a deep scene fail here: 5.4 instructions each on ARMv6-M (W10), where four at a time
+ * need 5.8 and more than eight gain little. */
 ETCH_INLINE uint16_t *etch_depth_scan(uint16_t *stored, const uint16_t *end, uint32_t *z,
                                       uint32_t dz, etch_depth_test *passes)
 {
     uint32_t depth = *z;
 
-    for (; end - stored >= 4; stored += 4) {
-        if (passes((uint16_t)(depth >> 16), stored[0]))
-            break;
-        depth = etch_wrap_add(depth, dz);
-        if (passes((uint16_t)(depth >> 16), stored[1])) {
-            stored += 1;
-            break;
+    for (; end - stored >= 8; stored += 8) {
+        ETCH_UNROLL(8)
+        for (uint8_t i = 0; i < 8; i++) {
+            if (passes((uint16_t)(depth >> 16), stored[i])) {
+                *z = depth;
+                return stored + i;
+            }
+            depth = etch_wrap_add(depth, dz);
         }
-        depth = etch_wrap_add(depth, dz);
-        if (passes((uint16_t)(depth >> 16), stored[2])) {
-            stored += 2;
-            break;
-        }
-        depth = etch_wrap_add(depth, dz);
-        if (passes((uint16_t)(depth >> 16), stored[3])) {
-            stored += 3;
-            break;
-        }
-        depth = etch_wrap_add(depth, dz);
     }
     for (; stored != end && !passes((uint16_t)(depth >> 16), *stored); stored++)
         depth = etch_wrap_add(depth, dz);

@@ -75,23 +75,32 @@ ETCH_INLINE void edge_start(struct edge *g, const struct etch_point_q8 *a,
     g->remainder = rest;
 }
 
-/* Writes the edge's x of the next n >= 1 rows to out[0], out[2], ..; returns the next. */
-ETCH_INLINE int16_t *edge_walk(struct edge *g, int16_t *out, int32_t n)
+/* Writes x to *out and goes a row down. */
+ETCH_INLINE void edge_step(struct edge *g, int16_t *out)
 {
-    int32_t x = g->x, e = g->e;
-    const int32_t dy = g->dy, quotient = g->quotient, remainder = g->remainder;
-    int16_t *const end = out + 2 * n;
+    *out = (int16_t)g->x;
+    g->x += g->quotient;
+    g->e -= g->remainder;
+    if (g->e < 0)
+        g->e += g->dy, g->x++;
+}
 
-    do {
-        *out = (int16_t)x;
+/* Writes the edge's x of the next n >= 1 rows to out[0], out[2], ..; returns the next. */
+ETCH_INLINE int16_t *edge_walk(struct edge *edge, int16_t *out, int32_t n)
+{
+    int16_t *const end = out + 2 * n;
+    struct edge g = *edge;
+
+    if ((n & 1) != 0) {
+        edge_step(&g, out);
         out += 2;
-        x += quotient;
-        e -= remainder;
-        if (e < 0)
-            e += dy, x++;
-    } while (out != end);
-    g->x = x;
-    g->e = e;
+    }
+    for (; out != end; out += 4) {
+        edge_step(&g, &out[0]);
+        edge_step(&g, &out[2]);
+    }
+    edge->x = g.x;
+    edge->e = g.e;
     return out;
 }
 

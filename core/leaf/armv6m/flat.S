@@ -42,11 +42,36 @@ etch_kernel_flat:           @ surface, y0, runs, n, [paint]
 row:                        @ r2: runs, r8: address of column 0
     ldrh r0, [r2]
     ldrh r1, [r2, #2]
-    subs r1, r0             @ pixels
+    subs r1, r0, r1         @ less the pixels
     lsls r0, #1
     add r0, r8
-    cmp r1, #8
-    bcc short
+    adds r7, r1, #7
+    bmi wide
+    lsls r7, r1, #1         @ at most 7: into a chain of single stores
+    add r7, r12
+    mov pc, r7
+    strh r3, [r0, #12]
+    strh r3, [r0, #10]
+    strh r3, [r0, #8]
+    strh r3, [r0, #6]
+    strh r3, [r0, #4]
+    strh r3, [r0, #2]
+    strh r3, [r0]
+end_of_short:
+    add r8, r9
+    adds r2, #4
+    cmp r2, r10
+    bne row
+
+    pop {r4-r7}
+    mov r8, r4
+    mov r9, r5
+    mov r10, r6
+    mov r11, r7
+    pop {r4-r7, pc}
+
+wide:
+    negs r1, r1
     lsls r7, r0, #31        @ C = bit 1
     bcc even
     strh r3, [r0]
@@ -63,33 +88,7 @@ jump:
     mov pc, r7
     store_chain end_of_chain
     store_rest
-next:
-    add r8, r9
-    adds r2, #4
-    cmp r2, r10
-    bne row
-
-    pop {r4-r7}
-    mov r8, r4
-    mov r9, r5
-    mov r10, r6
-    mov r11, r7
-    pop {r4-r7, pc}
-
-short:
-    lsls r7, r1, #1
-    negs r7, r7
-    add r7, r12
-    mov pc, r7
-    strh r3, [r0, #12]
-    strh r3, [r0, #10]
-    strh r3, [r0, #8]
-    strh r3, [r0, #6]
-    strh r3, [r0, #4]
-    strh r3, [r0, #2]
-    strh r3, [r0]
-end_of_short:
-    b next
+    b end_of_short
 
 long:                       @ more than 64 stores: down to 64
     stmia r0!, {r3-r6}
