@@ -46,7 +46,7 @@ struct etch_perspective_axis {
     uint32_t middle;             /* half way between the least and the greatest vertex */
     int32_t least, most;         /* of the vertices, against middle, 16.16 */
     int32_t least_q12, most_q12; /* the same in 1/4096 texel, rounded inwards */
-    int8_t exponent;             /* -34 .. -2; see raster/texture_perspective.c */
+    int8_t exponent;             /* -31 .. -2; see raster/texture_perspective.c */
 };
 
 struct etch_perspective_planes {
@@ -67,7 +67,8 @@ ETCH_INLINE uint32_t etch_wrap_up(uint32_t v, uint8_t s)
 ETCH_INLINE int32_t etch_reciprocal_q62(uint32_t d)
 {
     const uint32_t h = d >> 16, l = d & 0xFFFF;
-    int32_t q = 185043 - (int32_t)(h * 30840 >> 14); /* 48/17 - 32/17 h, below 2^17.5 */
+    /* 48/17 - 32/17 h, below 2^17.5; 30840 were nearer, but gcc makes three shifts of it */
+    int32_t q = 185043 - (int32_t)(h * 30843 >> 14);
     int32_t e = (int32_t)etch_wrap_sub(0, etch_wrap_mul(h, (uint32_t)q));
 
     q += q * (e >> 15) >> 17; /* |e| < 2^28 */

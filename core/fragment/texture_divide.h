@@ -20,7 +20,7 @@ struct etch_texel_offset {
     int32_t u, v;
 };
 
-/* The quotients rounded down, 115 instructions on ARMv6-M. Bound: see raster/texture_plane.h. */
+/* The quotients rounded down, 100 instructions on ARMv6-M. Bound: see raster/texture_plane.h. */
 void etch_texel_divide(struct etch_texel_offset *out, const struct etch_perspective_planes *c,
                        const struct etch_texel_ratio *at);
 

@@ -53,7 +53,7 @@ static void signed_plane(struct etch_plane *plane, const struct etch_triangle *t
     plane->origin = etch_wrap_sub(plane->origin, UINT32_C(1) << 29);
 }
 
-/* The numerators of u - middle, and e; |u - middle| q < 2^61. */
+/* The numerators of u - middle, and e = 3 .. 32; |u - middle| q < 2^61. */
 static int8_t numerators(int32_t value[3], const etch_q16 c[3], const int32_t q[3], uint32_t middle)
 {
     uint64_t all = 0;
@@ -66,7 +66,7 @@ static int8_t numerators(int32_t value[3], const etch_q16 c[3], const int32_t q[
         all |= (uint64_t)(product[i] < 0 ? -product[i] : product[i]);
     }
     const uint32_t high = (uint32_t)(all >> 29);
-    const int8_t e = (int8_t)(32 - etch_leading_zeros(high));
+    const int8_t bits = (int8_t)(32 - etch_leading_zeros(high)), e = bits > 3 ? bits : 3;
 
     for (uint8_t i = 0; i < 3; i++)
         value[i] = (int32_t)(product[i] >> e);
