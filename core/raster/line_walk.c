@@ -48,10 +48,11 @@ void etch_line_walk(uint16_t *p, uint32_t n, ptrdiff_t along, ptrdiff_t aside, i
         pen.e -= pen.e >= 0 ? du : 0;
         *pen.p = color;
     }
-    if ((n & 2) != 0)
+    for (uint32_t i = n & 6; i != 0; i -= 2)
         two_steps(&pen, along, aside, du, dv, color);
-    for (n >>= 2; n != 0; n--) {
-        two_steps(&pen, along, aside, du, dv, color);
-        two_steps(&pen, along, aside, du, dv, color);
+    for (n >>= 3; n != 0; n--) {
+        ETCH_UNROLL(4)
+        for (uint8_t i = 0; i < 4; i++)
+            two_steps(&pen, along, aside, du, dv, color);
     }
 }

@@ -25,9 +25,9 @@ etch_fill_rows:             @ p, n, value, rows, [stride]
     mov r2, r0              @ rows
     spread
     lsrs r7, r1, #9
-    bne long
+    bne .Llong
 
-    ldr r7, =end_of_chain
+    ldr r7, =.Lend_of_chain
     mov r10, r1             @ pixels and jump of a row that begins with a whole word
     lsrs r0, r1, #3
     lsls r0, #1
@@ -40,24 +40,24 @@ etch_fill_rows:             @ p, n, value, rows, [stride]
     subs r0, r7, r0
     mov lr, r0
 
-row:
+.Lrow:
     mov r0, r8
     add r8, r9
     lsls r7, r0, #31        @ C = bit 1
-    bcs odd
+    bcs .Lodd
     mov r1, r10
     mov pc, r11
-odd:
+.Lodd:
     strh r3, [r0]
     adds r0, #2
     mov r1, r12
     mov pc, lr
-    store_chain end_of_chain
+    store_chain .Lend_of_chain
     store_rest
     subs r2, #1
-    bne row
+    bne .Lrow
 
-done:
+.Ldone:
     pop {r4-r7}
     mov r8, r4
     mov r9, r5
@@ -66,10 +66,10 @@ done:
     pop {r4-r7, pc}
 
     .align 2
-long:                       @ r1: pixels, at least 512
+.Llong:                     @ r1: pixels, at least 512
     mov r10, r2             @ rows
     mov r11, r1
-long_row:
+.Llong_row:
     mov r0, r8
     mov r1, r11
     lsls r7, r0, #31
@@ -105,7 +105,7 @@ long_row:
     mov r2, r10
     subs r2, #1
     mov r10, r2
-    bne long_row
-    b done
+    bne .Llong_row
+    b .Ldone
     .size etch_fill_rows, . - etch_fill_rows
     .ltorg

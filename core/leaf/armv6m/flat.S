@@ -34,19 +34,19 @@ etch_kernel_flat:           @ surface, y0, runs, n, [paint]
     ldr r3, [sp, #36]
     ldrh r3, [r3, #4]       @ paint->color
     spread
-    ldr r7, =end_of_chain
+    ldr r7, =.Lend_of_chain
     mov r11, r7
-    ldr r7, =end_of_short
+    ldr r7, =.Lend_of_short
     mov r12, r7
 
-row:                        @ r2: runs, r8: address of column 0
+.Lrow:                      @ r2: runs, r8: address of column 0
     ldrh r0, [r2]
     ldrh r1, [r2, #2]
     subs r1, r0, r1         @ less the pixels
     lsls r0, #1
     add r0, r8
     adds r7, r1, #7
-    bmi wide
+    bmi .Lwide
     lsls r7, r1, #1         @ at most 7: into a chain of single stores
     add r7, r12
     mov pc, r7
@@ -57,11 +57,11 @@ row:                        @ r2: runs, r8: address of column 0
     strh r3, [r0, #4]
     strh r3, [r0, #2]
     strh r3, [r0]
-end_of_short:
+.Lend_of_short:
     add r8, r9
     adds r2, #4
     cmp r2, r10
-    bne row
+    bne .Lrow
 
     pop {r4-r7}
     mov r8, r4
@@ -70,32 +70,32 @@ end_of_short:
     mov r11, r7
     pop {r4-r7, pc}
 
-wide:
+.Lwide:
     negs r1, r1
     lsls r7, r0, #31        @ C = bit 1
-    bcc even
+    bcc .Leven
     strh r3, [r0]
     adds r0, #2
     subs r1, #1
-even:
+.Leven:
     lsrs r7, r1, #3
     cmp r7, #64
-    bhi long
-jump:
+    bhi .Llong
+.Ljump:
     lsls r7, #1
     negs r7, r7
     add r7, r11
     mov pc, r7
-    store_chain end_of_chain
+    store_chain .Lend_of_chain
     store_rest
-    b end_of_short
+    b .Lend_of_short
 
-long:                       @ more than 64 stores: down to 64
+.Llong:                     @ more than 64 stores: down to 64
     stmia r0!, {r3-r6}
     subs r1, #8
     subs r7, #1
     cmp r7, #64
-    bhi long
-    b jump
+    bhi .Llong
+    b .Ljump
     .size etch_kernel_flat, . - etch_kernel_flat
     .ltorg

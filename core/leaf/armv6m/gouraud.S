@@ -84,9 +84,9 @@ etch_kernel_gouraud:        @ surface, y0, runs, n, [paint]
     mov r0, r5
     movs r3, #0
     mov lr, r3              @ the cursor's column
-    b row
+    b .Lrow
 
-next:
+.Lnext:
     add r12, r11
     ldr r3, [sp, #0]
     adds r0, r3
@@ -97,8 +97,8 @@ next:
     adds r6, #4
     ldr r3, [sp, #12]
     cmp r6, r3
-    beq done
-row:                        @ r0-r2: r, g, b at column lr; r6: runs
+    beq .Ldone
+.Lrow:                      @ r0-r2: r, g, b at column lr; r6: runs
     ldrh r3, [r6]
     ldrh r7, [r6, #2]
     mov r4, lr
@@ -114,7 +114,7 @@ row:                        @ r0-r2: r, g, b at column lr; r6: runs
     muls r5, r4
     adds r2, r5
     subs r7, r3             @ pixels
-    beq next
+    beq .Lnext
     lsls r3, #1
     add r3, r12
     subs r7, #1
@@ -128,7 +128,7 @@ row:                        @ r0-r2: r, g, b at column lr; r6: runs
     muls r5, r4
     add pc, r5
     nop
-eight:
+.Leight:
     shade 0
     shade 1
     shade 2
@@ -139,10 +139,10 @@ eight:
     shade 7
     adds r3, #16
     subs r7, #1
-    bcs eight
-    b next
+    bcs .Leight
+    b .Lnext
 
-done:
+.Ldone:
     add sp, #16
     pop {r4-r7}
     mov r8, r4

@@ -19,24 +19,24 @@
 
     .macro two_steps to
     adds r4, r6
-    bpl \to
+    bpl .L\to
     along
     along
-back_\to:
+.Lback_\to:
     .endm
 
     @ e >= 0 after 2 dv: the first step goes aside if e >= dv
     .macro step_aside at
-\at:
+.L\at:
     cmp r4, r7
     add r4, r8              @ leaves the flags
     blt 1f
     aside
     along
-    b back_\at
+    b .Lback_\at
 1:  along
     aside
-    b back_\at
+    b .Lback_\at
     .endm
 
     .section .text.etch_line_walk, "ax"
@@ -60,33 +60,33 @@ etch_line_walk:             @ p, n, along, aside, [e, du, dv, color]
     strh r5, [r0]
 
     lsrs r1, #1
-    bcc pairs
+    bcc .Lpairs
     adds r4, r7             @ an odd step
     bpl 1f
     along
-    b pairs
+    b .Lpairs
 1:  add r4, r8
     aside
-pairs:
+.Lpairs:
     lsrs r1, #1
-    bcc fours
+    bcc .Lfours
     two_steps a
-fours:
+.Lfours:
     lsrs r1, #1
-    bcc eights
+    bcc .Leights
     two_steps b
     two_steps c
-eights:
+.Leights:
     cmp r1, #0
-    beq done
-loop:
+    beq .Ldone
+.Lloop:
     two_steps d
     two_steps e
     two_steps f
     two_steps g
     subs r1, #1
-    bne loop
-done:
+    bne .Lloop
+.Ldone:
     pop {r4}
     mov r8, r4
     pop {r4-r7, pc}
