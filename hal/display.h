@@ -24,6 +24,13 @@ enum etch_format {
                                       then has the high byte first, as SPI panels take it */
 };
 
+/* The one of the two that has the high byte first in the memory of this CPU. */
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+#define ETCH_FORMAT_HIGH_BYTE_FIRST ETCH_FORMAT_RGB565
+#else
+#define ETCH_FORMAT_HIGH_BYTE_FIRST ETCH_FORMAT_RGB565_SWAPPED
+#endif
+
 struct etch_display {
     /* The port's own data, handed to nobody else. May be NULL. */
     void *context;
@@ -68,6 +75,15 @@ struct etch_display {
      * one. The memory stays the drawing side's until the flush that ends the frame, whose area
      * is the whole frame. NULL if there is none to be had: the frame fails with ETCH_EIO. */
     uint16_t *(*memory)(const struct etch_display *display, uint16_t *stride);
+
+    /* A display with several pixels in a byte takes areas whose borders are multiples of these,
+     * or the frame's own; 0 and 1: any. The frame loop keeps to it. */
+    uint8_t align_x, align_y;
+
+    /* NULL, or called once a frame, before its first flush, from the thread that draws: returns
+     * when the frame may be sent without tearing, e.g. after the pulse of the tearing-effect
+     * line and the pause that etch_scan_plan gives (hal/scan.h). An error ends the frame. */
+    int (*sync)(const struct etch_display *display);
 };
 
 /* The pixel value of an 8-bit colour on this display, for the drawing functions' `color`. */

@@ -2,12 +2,14 @@
  * At any time at most one transfer runs, and `sending` says whether. */
 #include "frame.h"
 
-/* As many rows as fit into `size` elements, at most the frame's. */
+/* As many rows as fit into `size` elements, at most the frame's; less than that, a multiple of
+ * what the display wants. */
 static int16_t rows_that_fit(const struct etch_frame *frame)
 {
     const uint32_t rows = frame->memory.size / frame->stride;
+    const uint8_t align = frame->display->align_y > 1 ? frame->display->align_y : 1;
     const int16_t height = frame->display->height;
-    return rows < (uint32_t)height ? (int16_t)rows : height;
+    return rows < (uint32_t)height ? (int16_t)(rows / align * align) : height;
 }
 
 int etch_frame_init(struct etch_frame *frame, const struct etch_display *display,
@@ -48,10 +50,16 @@ static bool settle(struct etch_frame *frame)
 
 static bool send(struct etch_frame *frame, struct etch_rect area, const uint16_t *pixels)
 {
+    const struct etch_display *display = frame->display;
+
     if (!settle(frame)) {
         return false;
     }
-    if (!record(frame, frame->display->flush(frame->display, area, pixels, frame->stride))) {
+    if (!frame->synced && display->sync != NULL && !record(frame, display->sync(display))) {
+        return false;
+    }
+    frame->synced = true;
+    if (!record(frame, display->flush(display, area, pixels, frame->stride))) {
         return false;
     }
     frame->sending = true;
@@ -81,13 +89,14 @@ static struct etch_surface *no_strip(struct etch_frame *frame)
     return NULL;
 }
 
-/* The strip whose first row is y. */
+/* The strip of the area in hand whose first row is y. */
 static struct etch_surface *strip(struct etch_frame *frame, int16_t y)
 {
-    const int16_t height = frame->display->height;
-    const int16_t y1 = height - y > frame->rows ? (int16_t)(y + frame->rows) : height;
-    const struct etch_rect window = {0, y, frame->display->width, y1};
-    uint16_t *pixels = frame->direct != NULL ? frame->direct + (size_t)y * frame->stride
+    const struct etch_rect area = frame->area;
+    const int16_t y1 = area.y1 - y > frame->rows ? (int16_t)(y + frame->rows) : area.y1;
+    const struct etch_rect window = {area.x0, y, area.x1, y1};
+    const size_t offset = (size_t)y * frame->stride + (size_t)area.x0;
+    uint16_t *pixels = frame->direct != NULL ? frame->direct + offset
                                              : frame->memory.pixels[frame->index];
 
     if (etch_surface_init(&frame->surface, pixels, window, frame->stride) != ETCH_OK) {
@@ -98,16 +107,72 @@ static struct etch_surface *strip(struct etch_frame *frame, int16_t y)
     return &frame->surface;
 }
 
-struct etch_surface *etch_frame_begin(struct etch_frame *frame)
+/* v >= 0 down to a multiple of align; 0 and 1: any. */
+static int16_t align_down(int16_t v, uint8_t align)
+{
+    return align > 1 ? (int16_t)(v / align * align) : v;
+}
+
+/* v > 0 up to a multiple of align, but not above the frame's border. */
+static int16_t align_up(int16_t v, uint8_t align, int16_t border)
+{
+    const int16_t down = align_down((int16_t)(v - 1), align);
+
+    return align <= 1 ? v : border - down > align ? (int16_t)(down + align) : border;
+}
+
+/* The part of an area that is inside the frame, with borders that the display takes. */
+static struct etch_rect fit_area(const struct etch_display *d, struct etch_rect area)
+{
+    const struct etch_rect frame = {0, 0, d->width, d->height};
+    struct etch_rect fit = etch_rect_intersect(area, frame);
+
+    if (!etch_rect_is_empty(fit)) {
+        fit.x0 = align_down(fit.x0, d->align_x);
+        fit.y0 = align_down(fit.y0, d->align_y);
+        fit.x1 = align_up(fit.x1, d->align_x, d->width);
+        fit.y1 = align_up(fit.y1, d->align_y, d->height);
+    }
+    return fit;
+}
+
+/* The first strip of the next area that is not empty. */
+static struct etch_surface *next_area(struct etch_frame *frame)
+{
+    while (frame->left > 0) {
+        frame->area = fit_area(frame->display, *frame->areas++);
+        frame->left--;
+        if (!etch_rect_is_empty(frame->area)) {
+            if (frame->direct == NULL) {
+                frame->stride = (uint16_t)(frame->area.x1 - frame->area.x0);
+                frame->rows = rows_that_fit(frame);
+            }
+            return strip(frame, frame->area.y0);
+        }
+    }
+    return no_strip(frame);
+}
+
+struct etch_surface *etch_frame_begin_areas(struct etch_frame *frame, const struct etch_rect *areas,
+                                            uint16_t count)
 {
     (void)settle(frame);
     frame->status = ETCH_OK;
     frame->index = 0;
     frame->direct = NULL;
+    frame->synced = false;
+    frame->areas = areas;
+    frame->left = count;
     if (frame->display->memory != NULL && !take_memory(frame)) {
         return no_strip(frame);
     }
-    return strip(frame, 0);
+    return next_area(frame);
+}
+
+struct etch_surface *etch_frame_begin(struct etch_frame *frame)
+{
+    frame->whole = (struct etch_rect){0, 0, frame->display->width, frame->display->height};
+    return etch_frame_begin_areas(frame, &frame->whole, 1);
 }
 
 /* Sends the strip in hand from its buffer. True if a buffer is free for the next one. */
@@ -123,24 +188,23 @@ static bool send_strip(struct etch_frame *frame)
     return true;
 }
 
-/* A direct display is told once, when all of its memory is drawn. */
-static bool send_memory(struct etch_frame *frame)
-{
-    const struct etch_rect all = {0, 0, frame->display->width, frame->display->height};
-    return frame->surface.window.y1 < frame->display->height || send(frame, all, frame->direct);
-}
-
 struct etch_surface *etch_frame_next(struct etch_frame *frame)
 {
     const struct etch_rect window = frame->surface.window;
+    const struct etch_rect all = {0, 0, frame->display->width, frame->display->height};
+    struct etch_surface *next;
 
     if (etch_rect_is_empty(window)) {
         return NULL;
     }
-    if (!(frame->direct != NULL ? send_memory(frame) : send_strip(frame))) {
+    if (frame->direct == NULL && !send_strip(frame)) {
         return no_strip(frame);
     }
-    return window.y1 < frame->display->height ? strip(frame, window.y1) : no_strip(frame);
+    next = window.y1 < frame->area.y1 ? strip(frame, window.y1) : next_area(frame);
+    if (next == NULL && frame->direct != NULL) {
+        (void)send(frame, all, frame->direct); /* told once, when all of its memory is drawn */
+    }
+    return next;
 }
 
 int etch_frame_end(struct etch_frame *frame)

@@ -34,7 +34,8 @@ struct etch_frame_memory {
     uint16_t *depth;     /* depth plane of `size` elements, or NULL: surfaces have none. Its
                             content is kept from strip to strip: clear it in the scene */
     uint32_t size;       /* elements in each of these. A strip has as many rows as fit: size /
-                            width, at most the height; the last may have fewer. On a direct
+                            width, at most the height, and a multiple of the display's
+                            align_y; the last may have fewer. On a direct
                             display size counts for the depth plane only, whose rows are as
                             far apart as the display's: if it holds fewer rows than the frame,
                             the memory is handed out in strips of that height */
@@ -44,13 +45,17 @@ struct etch_frame_memory {
 struct etch_frame {
     const struct etch_display *display;
     struct etch_frame_memory memory;
-    struct etch_surface surface; /* the strip in hand; its window is empty if there is none */
-    uint16_t *direct;            /* memory of a direct display during a frame */
-    uint16_t stride;             /* of the planes; a flushed strip is as wide as the frame */
-    int16_t rows;                /* in a strip */
-    uint8_t index;               /* buffer of the strip in hand */
-    bool sending;                /* flush was called and wait not since */
-    int status;                  /* first error of this frame */
+    struct etch_surface surface;   /* the strip in hand; its window is empty if there is none */
+    struct etch_rect area, whole;  /* area in hand; the only one of a whole frame */
+    const struct etch_rect *areas; /* those to come, */
+    uint16_t left;                 /* and how many */
+    uint16_t *direct;              /* memory of a direct display during a frame */
+    uint16_t stride;               /* of the planes; a flushed strip is as wide as the frame */
+    int16_t rows;                  /* in a strip */
+    uint8_t index;                 /* buffer of the strip in hand */
+    bool sending;                  /* flush was called and wait not since */
+    bool synced;                   /* the display was asked when to begin */
+    int status;                    /* first error of this frame */
 };
 
 /* Prepares a frame loop over `display`, which must stay valid; calls none of its functions.
@@ -64,6 +69,16 @@ int etch_frame_init(struct etch_frame *frame, const struct etch_display *display
  * surface belongs to the frame loop and is the caller's to draw on until the next call. A
  * frame that was not ended is ended first. */
 struct etch_surface *etch_frame_begin(struct etch_frame *frame);
+
+/* The same for parts of the frame, what is left of which stays as it was: hands out the strips of
+ * areas[0], then those of areas[1] .. Strips are as wide as their area. What of an area is
+ * outside the frame is left out; one that the display cannot take as it is (align_x, align_y)
+ * grows. Areas may overlap: what they share is drawn and sent twice. NULL at once if all are
+ * empty, or count is 0. The array must stay as it is until the frame ends; keep it if the frame
+ * fails, and begin again with it. hal/dirty.h collects and merges areas. A direct display that
+ * hands out two memories by turns needs the areas of two frames. */
+struct etch_surface *etch_frame_begin_areas(struct etch_frame *frame, const struct etch_rect *areas,
+                                            uint16_t count);
 
 /* Sends the strip in hand and returns the next one; NULL after the last, and after an error,
  * which ends the frame: nothing more is sent. */

@@ -1,0 +1,124 @@
+/* ports/spi_lcd/lcd.c: a panel as a display: commands, windows, frames. The frame loop calls flush
+ * and wait; pixels go through the controller's send. See lcd.h. */
+#include "lcd.h"
+
+int etch_lcd_command(struct etch_lcd *lcd, uint8_t command, const uint8_t *parameters, uint8_t n)
+{
+    const struct etch_bus *bus = lcd->bus;
+    int status = bus->command(bus, &command, 1);
+
+    if (status < 0 || n == 0) {
+        return status;
+    }
+    if (lcd->panel->controller->parameters_are_commands) {
+        return bus->command(bus, parameters, n);
+    }
+    status = bus->data(bus, parameters, n);
+    return status < 0 ? status : bus->wait(bus);
+}
+
+int etch_lcd_data(struct etch_lcd *lcd, const uint8_t *bytes, uint32_t n)
+{
+    const struct etch_bus *bus = lcd->bus;
+    int status = ETCH_OK;
+
+    while (bus->limit != 0 && n > bus->limit && status >= 0) {
+        status = bus->data(bus, bytes, bus->limit);
+        status = status < 0 ? status : bus->wait(bus);
+        bytes += bus->limit;
+        n -= bus->limit;
+    }
+    return status < 0 ? status : bus->data(bus, bytes, n);
+}
+
+/* ---- where the frame is in memory ------------------------------------------------------------ */
+
+static int send_range(struct etch_lcd *lcd, uint8_t command, int16_t first, int16_t last)
+{
+    const uint8_t wide[4] = {(uint8_t)(first >> 8 & 0xFF), (uint8_t)(first & 0xFF),
+                             (uint8_t)(last >> 8 & 0xFF), (uint8_t)(last & 0xFF)};
+    const uint8_t narrow[2] = {wide[1], wide[3]};
+
+    return lcd->panel->controller->address_bytes == 2 ? etch_lcd_command(lcd, command, wide, 4)
+                                                      : etch_lcd_command(lcd, command, narrow, 2);
+}
+
+/* Sets the window. Addresses name pixels of the turned frame, or those of the memory. */
+static int set_window(struct etch_lcd *lcd, struct etch_rect area)
+{
+    const struct etch_lcd_controller *c = lcd->panel->controller;
+    const bool cross = !c->addresses_turn && (lcd->orientation & ETCH_LCD_SWAP) != 0;
+    const struct etch_rect a = {cross ? area.y0 : area.x0, cross ? area.x0 : area.y0,
+                                cross ? area.y1 : area.x1, cross ? area.x1 : area.y1};
+    int status = send_range(lcd, c->column, (int16_t)((a.x0 + lcd->column) / c->column_pixels),
+                            (int16_t)((a.x1 - 1 + lcd->column) / c->column_pixels));
+
+    if (status >= 0) {
+        status = send_range(lcd, c->row, (int16_t)((a.y0 + lcd->row) / c->row_pixels),
+                            (int16_t)((a.y1 - 1 + lcd->row) / c->row_pixels));
+    }
+    return status < 0 || c->write == 0 ? status : etch_lcd_command(lcd, c->write, NULL, 0);
+}
+
+/* Small panels that take data without a write command get one window for all strips of a frame:
+ * it reaches to the bottom, and a strip that follows the last one goes on in it. */
+static int open_window(struct etch_lcd *lcd, struct etch_rect area)
+{
+    const struct etch_rect w = lcd->window;
+    struct etch_rect rest = area;
+    int status = ETCH_OK;
+
+    if (lcd->panel->controller->write != 0) {
+        return set_window(lcd, area);
+    }
+    rest.y1 = lcd->display.height;
+    lcd->window.y1 = lcd->window.y0; /* unknown, if this fails */
+    if (etch_rect_is_empty(w) || w.x0 != area.x0 || w.x1 != area.x1 || w.y0 != area.y0) {
+        status = set_window(lcd, rest);
+    }
+    rest.y0 = area.y1;
+    if (status >= 0) {
+        lcd->window = rest;
+    }
+    return status;
+}
+
+/* ---- the display ----------------------------------------------------------------------------- */
+
+int etch_lcd_flush(const struct etch_display *display, struct etch_rect area,
+                   const uint16_t *pixels, uint16_t stride)
+{
+    struct etch_lcd *lcd = display->context;
+    const struct etch_bus *bus = lcd->bus;
+    int status = bus->begin(bus);
+
+    if (status < 0) {
+        return status;
+    }
+    status = open_window(lcd, area);
+    if (status >= 0) {
+        status = lcd->panel->controller->send(lcd, area, pixels, stride);
+    }
+    lcd->sending = status >= 0;
+    if (status < 0) {
+        lcd->window = (struct etch_rect){0, 0, 0, 0};
+        bus->end(bus);
+    }
+    return status;
+}
+
+int etch_lcd_wait(const struct etch_display *display)
+{
+    struct etch_lcd *lcd = display->context;
+    int status = ETCH_OK;
+
+    if (lcd->sending) {
+        lcd->sending = false;
+        status = lcd->bus->wait(lcd->bus);
+        lcd->bus->end(lcd->bus);
+    }
+    if (status < 0) {
+        lcd->window = (struct etch_rect){0, 0, 0, 0};
+    }
+    return status;
+}
