@@ -115,6 +115,24 @@ W8_W11 := w8 w11
 bench-selftest: $(W8_W11:%=$(BENCH)/m0plus-portable/%/counts.txt) ## proves the bench itself
 	@sh $(BENCH_SRC)/selftest.sh $(BENCH)
 
+# The portable functions under other names, beside the leaves that replace them.
+LEAVES        := $(BENCH)/leaves
+LEAF_PORTABLE := base/fill fragment/flat fragment/gouraud raster/line_walk
+LEAF_NAMES    := etch_fill_rows etch_kernel_flat etch_kernel_gouraud etch_line_walk
+$(LEAVES)/%.o: $(BENCH)/m0plus-portable/core/%.o
+	@mkdir -p $(@D)
+	@$(ARM)objcopy $(foreach n,$(LEAF_NAMES),--redefine-sym $(n)=portable_$(n)) $< $@
+$(LEAVES)/leaves.elf: $(BENCH_SRC)/leaves.c $(BENCH_SRC)/start.c linker/mps2.ld \
+    $(LEAF_PORTABLE:%=$(LEAVES)/%.o) $(BENCH)/m0plus-portable/core/base/surface.o \
+    $(foreach n,$(notdir $(LEAF_PORTABLE)),$(BENCH)/m0plus-best/core/leaf/armv6m/$(n).o)
+	@$(BENCH_CC_m0plus) $(filter-out -MMD -MP,$(BENCH_FLAGS)) -ffreestanding -nostdlib \
+	    -Wl,--gc-sections -T linker/mps2.ld $(filter %.c %.o,$^) -lgcc -o $@
+.PHONY: bench-leaves
+bench-leaves: $(LEAVES)/leaves.elf ## proves the leaf loops of ARMv6-M against the portable C
+	@QEMU_AUDIO_DRV=none timeout 300 qemu-system-arm -M mps2-an385 -display none -monitor none \
+	    -serial none -semihosting-config enable=on,target=native -kernel $<
+	@echo "1200 calls of leaf loops write what the portable C writes"
+
 .PHONY: profile
 profile: $(BENCH_RUNS) ## instructions per function (W=6 CORES=m0plus; PROFILE=line, PROFILE=insn)
 	@for c in $^; do python3 $(BENCH_SRC)/profile.py $(PROFILE) $$c $(FUNCTION); done

@@ -1,0 +1,121 @@
+/* bench/leaves.c: do the leaf loops of ARMv6-M write what the portable C does? Both are linked, the
+ * portable functions under the names portable_*, and get the same seeded arguments. Ends with
+ * status 0 if no element differs. See `make bench-leaves`. */
+#include "bench.h"
+
+#include "../../core/base/fill.h"
+#include "../../core/fragment/flat.h"
+#include "../../core/fragment/gouraud.h"
+#include "../../core/raster/line_walk.h"
+
+#define WORDS 20000
+
+int main(void);
+void portable_etch_fill_rows(uint16_t *p, uint32_t n, uint16_t value, uint32_t rows,
+                             size_t stride);
+void portable_etch_line_walk(uint16_t *p, uint32_t n, ptrdiff_t along, ptrdiff_t aside, int32_t e,
+                             int32_t du, int32_t dv, uint16_t color);
+etch_kernel portable_etch_kernel_flat, portable_etch_kernel_gouraud;
+
+static uint32_t leaf[WORDS], portable[WORDS], seed;
+
+static uint32_t below(uint32_t n)
+{
+    return wl_next(&seed) % n;
+}
+
+static void wipe(void)
+{
+    for (int i = 0; i < WORDS; i++)
+        leaf[i] = portable[i] = 0x01010101;
+}
+
+static bool differ(void)
+{
+    for (int i = 0; i < WORDS; i++)
+        if (leaf[i] != portable[i])
+            return true;
+    return false;
+}
+
+/* Rows of every alignment, up to 40 or 3000 wide, strides odd and even. */
+static bool fill_differs(uint32_t widest)
+{
+    const uint32_t n = 1 + below(widest), stride = n + below(5), rows = 1 + below(6);
+    const uint32_t at = below(9);
+    const uint16_t value = (uint16_t)wl_next(&seed);
+
+    wipe();
+    etch_fill_rows((uint16_t *)leaf + at, n, value, rows, stride);
+    portable_etch_fill_rows((uint16_t *)portable + at, n, value, rows, stride);
+    return differ();
+}
+
+/* A block of runs, some empty, up to `widest`, on a window that begins anywhere. */
+static bool kernel_differs(etch_kernel *a, etch_kernel *b, const struct etch_paint *paint,
+                           uint32_t widest)
+{
+    const int16_t x = (int16_t)below(20), y = (int16_t)below(20);
+    const struct etch_rect window = {x, y, (int16_t)(x + 700), (int16_t)(y + 40)};
+    const uint8_t n = (uint8_t)(1 + below(ETCH_RUN_BLOCK));
+    const int16_t y0 = (int16_t)(y + (int16_t)below(8));
+    struct etch_run runs[ETCH_RUN_BLOCK];
+    struct etch_surface s, t;
+
+    if (etch_surface_init(&s, (uint16_t *)leaf, window, (uint16_t)(700 + below(3))) != ETCH_OK)
+        return true;
+    t = s;
+    t.pixels = (uint16_t *)portable;
+    for (uint8_t i = 0; i < n; i++) {
+        runs[i].x0 = (int16_t)(x + (int16_t)below(90));
+        runs[i].x1 = (int16_t)(runs[i].x0 + (int16_t)below(widest));
+    }
+    wipe();
+    a(&s, y0, runs, n, paint);
+    b(&t, y0, runs, n, paint);
+    return differ();
+}
+
+static struct etch_plane plane(void)
+{
+    const struct etch_plane p = {wl_next(&seed), wl_next(&seed), wl_next(&seed)};
+
+    return p;
+}
+
+static bool line_differs(void)
+{
+    static const int16_t step[4] = {1, -1, 200, -200};
+    const uint32_t n = below(60);
+    const int32_t du = (int32_t)(n + below(9) + 1), dv = (int32_t)below((uint32_t)du / 2 + 1);
+    const int32_t e = -1 - (int32_t)below((uint32_t)du);
+    const ptrdiff_t along = step[below(4)], aside = along + step[below(4)];
+    const uint16_t color = (uint16_t)wl_next(&seed);
+
+    wipe();
+    etch_line_walk((uint16_t *)leaf + WORDS, n, along, aside, e, du, dv, color);
+    portable_etch_line_walk((uint16_t *)portable + WORDS, n, along, aside, e, du, dv, color);
+    return differ();
+}
+
+int main(void)
+{
+    seed = 1;
+    for (uint32_t i = 0; i < 300; i++) {
+        const struct etch_flat_paint flat = {{etch_kernel_flat}, (uint16_t)wl_next(&seed)};
+        const struct etch_gouraud_paint gouraud = {
+            {etch_kernel_gouraud}, {0, 0, 0}, plane(), plane(), plane()};
+        const uint32_t widest = i % 2 == 0 ? 12 : 600;
+
+        if (fill_differs(i % 2 == 0 ? 40 : 3000))
+            return 1;
+        if (kernel_differs(etch_kernel_flat, portable_etch_kernel_flat, &flat.paint, widest))
+            return 2;
+        if (kernel_differs(etch_kernel_gouraud, portable_etch_kernel_gouraud, &gouraud.paint,
+                           widest))
+            return 3;
+        if (line_differs())
+            return 4;
+    }
+    return 0;
+}
