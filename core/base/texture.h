@@ -45,8 +45,9 @@ struct etch_perspective_axis {
     struct etch_plane numerator; /* two's complement, |.| <= 2^29 in the triangle */
     uint32_t middle;             /* half way between the least and the greatest vertex */
     int32_t least, most;         /* of the vertices, against middle, 16.16 */
-    int32_t least_q12, most_q12; /* the same in 1/4096 texel, rounded inwards */
-    int8_t exponent;             /* -31 .. -2; see raster/texture_perspective.c */
+    int32_t least_q12, most_q12; /* the same in 1/4096 texel, rounded inwards;
+                                    read where a block of 16 is one line */
+    int8_t exponent;             /* -31 .. -1; see raster/texture_perspective.c */
 };
 
 struct etch_perspective_planes {

@@ -11,7 +11,7 @@ ETCH_INLINE int32_t high_product(int32_t a, int32_t r)
     return ah * rh + (ah * rl >> 16) + (al * rh >> 16);
 }
 
-/* m 2^s, to the left modulo 2^32; s = -31 .. 29. */
+/* m 2^s, to the left modulo 2^32; s = -31 .. 30. */
 ETCH_INLINE int32_t scaled(int32_t m, int32_t s)
 {
     return s <= 0 ? m >> -s : (int32_t)etch_wrap_up((uint32_t)m, (uint8_t)s);

@@ -187,7 +187,7 @@ static void no_plane_leads_outside_the_texture(void)
             axes[k]->most = test_range(&seed, 0, INT32_MAX);
             axes[k]->least_q12 = axes[k]->least / 16;
             axes[k]->most_q12 = axes[k]->most / 16;
-            axes[k]->exponent = (int8_t)test_range(&seed, -31, -2);
+            axes[k]->exponent = (int8_t)test_range(&seed, -31, -1);
         }
         p.coordinates.least = test_range(&seed, 1, 1 << test_range(&seed, 0, 29));
         test_canvas_open(&canvas, window);

@@ -2,8 +2,10 @@
  * kernels by the texel (exact, or linear between multiples of 16 columns), never outside the range
  * of the vertices, at any ratio of w and in every order of the vertices. */
 #include "core/draw/texture.h"
+#include "core/draw/texture_small.h"
 #include "core/fragment/texture.h"
 #include "core/fragment/texture_divide.h"
+#include "core/fragment/texture_small.h"
 #include "core/raster/texture_plane.h"
 #include "tests/harness/canvas.h"
 #include "tests/harness/shapes.h"
@@ -169,7 +171,10 @@ static void draw(const struct sample *s, const uint8_t order[3], int painter)
         &etch_perspective,        &etch_perspective_exact,      &etch_perspective_less,
         &etch_perspective_lequal, &etch_perspective_exact_less, &etch_perspective_exact_lequal};
 
-    if (painter < 2)
+    if (painter == 6)
+        etch_triangle_perspective_depth_small(&canvas.surface, v, &texture,
+                                              etch_kernel_perspective_less_small);
+    else if (painter < 2)
         etch_triangle_perspective(&canvas.surface, v, &texture, kernels[painter]);
     else
         etch_triangle_perspective_depth(&canvas.surface, v, &texture, kernels[painter]);
@@ -231,13 +236,13 @@ static void kernels_take_the_right_texel(void)
     for (i = 0; i < 65536; i++)
         numbers[i] = (uint16_t)i;
     for (i = 0; i < TEST_COUNT(2400) && !test_failed(); i++) {
-        const int painter = i % 6;
+        const int painter = i % 7;
         struct sample s;
 
         if (!make_sample(&s, i, &seed) || (s.w[0] == s.w[1] && s.w[0] == s.w[2]))
             continue;
         test_canvas_open(&canvas, s.window);
-        draw(&s, test_orders[i / 6 % 6], painter);
+        draw(&s, test_orders[i / 7 % 6], painter);
         check_texels(&s, s.blocks && painter != 1 && painter < 4);
         blocks += s.blocks;
         exacts += !s.blocks;

@@ -2,9 +2,10 @@
  * neither a colour nor a depth, equal w give the affine pixels, and what passes the depth test is
  * what passes it in one colour. */
 #include "core/draw/texture.h"
+#include "core/draw/texture_small.h"
 #include "core/draw/triangle.h"
 #include "core/fragment/flat.h"
-#include "core/fragment/texture.h"
+#include "core/fragment/texture_small.h"
 #include "tests/harness/canvas.h"
 #include "tests/harness/shapes.h"
 
@@ -61,6 +62,9 @@ static void draw_one(const struct etch_surface *s, const struct etch_texture_ver
     case 5: etch_triangle_perspective_depth(s, v, &texture, &etch_perspective_lequal); break;
     case 6: etch_triangle_perspective(s, v, &texture, &etch_perspective_exact); break;
     case 7: etch_triangle_perspective_depth(s, v, &texture, &etch_perspective_exact_less); break;
+    case 9:
+        etch_triangle_perspective_depth_small(s, v, &texture, etch_kernel_perspective_less_small);
+        break;
     default: etch_triangle_perspective_depth(s, v, &texture, &etch_perspective_exact_lequal); break;
     }
 }
@@ -101,7 +105,7 @@ static void strips_and_clips_change_nothing(void)
     int32_t i;
 
     for (i = 0; i < TEST_COUNT(1800) && !test_failed(); i++) {
-        const int painter = i % 9;
+        const int painter = i % 10;
         const int16_t rows = (int16_t)test_range(&seed, 1, 20);
         int16_t y;
 
