@@ -82,7 +82,7 @@ void etch_circle_runs(const struct etch_surface *s, int16_t cx, int16_t cy, int1
     struct etch_run runs[ETCH_RUN_BLOCK];
     struct width h;
 
-    if (r < 0 || y >= y1 || (int32_t)cx - r >= c.x1 || (int32_t)cx + r < c.x0)
+    if (r < 0 || y >= y1 || c.x0 >= c.x1 || (int32_t)cx - r >= c.x1 || (int32_t)cx + r < c.x0)
         return;
     width_set(&h, r, y < cy ? cy - y : y - cy);
     while (y < y1) {

@@ -22,10 +22,11 @@ struct etch_assembly {
 void etch_assemble_triangle(const struct etch_assembly *assembly,
                             const struct etch_clip_vertex v[3]);
 
-/* The last part: projects the convex polygon v[0 .. n-1], n = 3 .. ETCH_CLIP_MAX, and hands it
- * on as a fan. Rounding to 1/256 px can turn a flat corner inwards; the fan starts at the first
- * corner from which no triangle turns over, so that it covers the snapped outline and each
- * pixel once. (At v[0] if there is none, which takes two such corners.) */
+/* The last part: projects the convex polygon v[0 .. n-1], n = 0 or 3 .. ETCH_CLIP_MAX, and hands
+ * it on as n - 2 triangles, a fan round v[0]. Rounding to 1/256 px can turn a flat corner inwards;
+ * ears are then cut off where they cover nothing else, so that the triangles cover the snapped
+ * outline and each pixel once. (Slivers whose snapped outline crosses itself lose the part that
+ * turned over, less than 1/256 px wide.) Source: G. Meisters, "Polygons have ears", 1975. */
 void etch_assemble_fan(const struct etch_assembly *assembly, const struct etch_clip_vertex *v,
                        uint8_t n);
 
