@@ -72,6 +72,8 @@ static void the_order_of_the_planes_changes_nothing(void)
     CHECK_EQ(changed(window, true), 2 * CELLS);
 }
 
+void suite_clip_inverted(void);
+
 void suite_clip_inverted(void)
 {
     RUN(inverted_clips_draw_nothing);
