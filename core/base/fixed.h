@@ -76,21 +76,32 @@ ETCH_INLINE int64_t etch_mul_s32(int32_t a, int32_t b)
     return (int64_t)a * b;
 }
 
-#if defined(__ARM_ARCH_6M__) || defined(__AVR__)
-/* No 32 x 32 -> 64 multiply: four products of halves, and no carry lost. a = ah 2^16 + al,
+/* The upper half of the product, rounded down; b >= 0. The same on every core, in two forms. This
+ * one multiplies 32 x 32 -> 64. */
+ETCH_INLINE int32_t etch_mul_high_wide(int32_t a, int32_t b)
+{
+    return (int32_t)(etch_mul_s32(a, b) >> 32);
+}
+
+/* This one makes four products of halves, and loses no carry. a = ah 2^16 + al,
  * b = bh 2^16 + bl, 0 <= bh < 2^15: |ah bl| + (al bl >> 16) < 2^31 and al bh + 2^16 < 2^31. */
-ETCH_INLINE int32_t etch_mul_high(int32_t a, int32_t b)
+ETCH_INLINE int32_t etch_mul_high_split(int32_t a, int32_t b)
 {
     const int32_t ah = a >> 16, al = a & 0xFFFF, bh = b >> 16, bl = b & 0xFFFF;
     const int32_t middle = ah * bl + (int32_t)((uint32_t)al * (uint32_t)bl >> 16);
 
     return ah * bh + (middle >> 16) + ((al * bh + (middle & 0xFFFF)) >> 16);
 }
-#else
-/* The upper half of the product, rounded down; b >= 0. The same on every core. */
+
+#if defined(__ARM_ARCH_6M__) || defined(__AVR__) /* no 32 x 32 -> 64 multiply */
 ETCH_INLINE int32_t etch_mul_high(int32_t a, int32_t b)
 {
-    return (int32_t)(etch_mul_s32(a, b) >> 32);
+    return etch_mul_high_split(a, b);
+}
+#else
+ETCH_INLINE int32_t etch_mul_high(int32_t a, int32_t b)
+{
+    return etch_mul_high_wide(a, b);
 }
 #endif
 

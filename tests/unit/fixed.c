@@ -57,6 +57,47 @@ static void products_are_exact(void)
     CHECK_EQ(etch_wrap_mul(UINT32_C(0x80000001), 2), 2);
 }
 
+/* The upper half of a * b from the product of the magnitudes, rounded down. */
+static int64_t high_half(int32_t a, int32_t b)
+{
+    const uint64_t product = wide_product((uint64_t)(a < 0 ? -(int64_t)a : a), (uint64_t)b).lo;
+    const int64_t high = (int64_t)(product >> 32);
+
+    return a >= 0 ? high : -high - ((product & UINT32_MAX) != 0 ? 1 : 0);
+}
+
+static void check_high(int32_t a, int32_t b)
+{
+    CHECK_EQ(etch_mul_high_wide(a, b), high_half(a, b));
+    CHECK_EQ(etch_mul_high_split(a, b), high_half(a, b));
+    CHECK_EQ(etch_mul_high(a, b), high_half(a, b));
+}
+
+/* Both forms, whichever this core takes. */
+static void upper_halves_of_products_round_down(void)
+{
+    static const int32_t factors[] = {0,          1,          2,          32767,         32768,
+                                      65535,      65536,      65537,      1 << 30,       0x40000001,
+                                      0x4000FFFF, 0x7FFF0000, 0x7FFF0001, INT32_MAX - 1, INT32_MAX};
+    uint32_t seed = 7;
+    int32_t i;
+    size_t j;
+
+    for (j = 0; j < sizeof factors / sizeof factors[0]; j++) {
+        for (i = 0; i < ENDS; i++)
+            check_high(ends[i], factors[j]);
+        for (i = 0; i < TEST_COUNT(20000); i++)
+            check_high((int32_t)test_random(&seed) >> i % 31, factors[j]);
+    }
+    for (i = 0; i < TEST_COUNT(100000); i++) { /* reciprocals, 2^30 .. 2^31 - 1, and any other b */
+        const int32_t b = (int32_t)(test_random(&seed) >> 1);
+
+        check_high(ends[i % ENDS], b | 1 << 30);
+        check_high((int32_t)test_random(&seed), b | 1 << 30);
+        check_high((int32_t)test_random(&seed), b >> i % 31);
+    }
+}
+
 static void check_q16(int32_t a, int32_t b)
 {
     CHECK_EQ(etch_q16_mul(a, b), saturated(round_half_up((int64_t)a * b, 65536)));
@@ -197,6 +238,7 @@ void suite_fixed(void)
 {
     RUN(snap_is_round_half_up);
     RUN(products_are_exact);
+    RUN(upper_halves_of_products_round_down);
     RUN(q16_products_and_quotients_round_half_up);
     RUN(divide_u64_is_exact);
     RUN(divide_round_s64_rounds_half_up);
