@@ -121,6 +121,27 @@ static void make_sliver(struct test_triangle *t, int32_t x, int32_t y, uint32_t 
     collinear(t, INT32_C(1) << test_range(seed, 0, 10), seed);
 }
 
+/* Edge 0, 1 all but upright, from an end near the centre of pixel (x, y) up or down, or from end to
+ * end of the plane past it; vertex 2 near the window or anywhere to one side. */
+static void make_tall(struct test_triangle *t, int32_t x, int32_t y, uint32_t *seed)
+{
+    const int32_t up = 256 * y + 128 + test_range(seed, -2, 2);
+    const int32_t tall = test_range(seed, INT32_C(1) << 22, LIMIT);
+
+    t->x[0] = clamp(256 * x + 128 + test_range(seed, -2, 2));
+    t->x[1] = clamp(t->x[0] + test_range(seed, -2, 2));
+    t->y[0] = clamp(up);
+    t->y[1] = up > 0 ? up - tall : up + tall;
+    if (up + tall <= LIMIT && test_range(seed, 0, 1) == 0)
+        t->y[1] = up + tall;
+    if (test_range(seed, 0, 3) == 0) {
+        t->y[0] = test_range(seed, 0, 2) - LIMIT;
+        t->y[1] = LIMIT - test_range(seed, 0, 2);
+    }
+    if (test_range(seed, 0, 1) == 0)
+        t->x[2] = pick(seed, -LIMIT, LIMIT);
+}
+
 void test_triangle_make(struct test_triangle *t, enum test_triangle_kind kind,
                         struct etch_rect window, uint32_t *seed)
 {
@@ -151,4 +172,6 @@ void test_triangle_make(struct test_triangle *t, enum test_triangle_kind kind,
         make_degenerate(t, window, seed);
     else if (kind == TEST_TRIANGLE_far)
         make_far(t, window, seed);
+    else if (kind == TEST_TRIANGLE_tall)
+        make_tall(t, x, y, seed);
 }

@@ -22,6 +22,7 @@ enum test_triangle_kind {
     TEST_TRIANGLE_far,        /* one vertex near, the others far: long slivers over the window */
     TEST_TRIANGLE_screen,     /* as large as a screen */
     TEST_TRIANGLE_sliver,     /* as long as a screen, 1/256 .. 4 px thick, over a pixel centre */
+    TEST_TRIANGLE_tall,       /* 2^22 .. 2^24 / 256 px tall, up to 2 / 256 px beside centres */
     TEST_TRIANGLE_KINDS
 };
 

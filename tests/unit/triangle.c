@@ -108,7 +108,7 @@ static void fill_kind(enum test_triangle_kind kind, int32_t count)
     }
 }
 
-/* One case a kind: 20,000 triangles each of twelve kinds, in all six vertex orders. */
+/* One case a kind: 20,000 triangles each of thirteen kinds, in all six vertex orders. */
 #define KIND(name)                                                                                 \
     static void triangles_##name(void)                                                             \
     {                                                                                              \
@@ -126,6 +126,24 @@ KIND(degenerate)
 KIND(far)
 KIND(screen)
 KIND(sliver)
+KIND(tall)
+
+/* An edge 2^22 / 256 px tall that begins 1/256 px above a centre and passes it 1/2^30 px to the right:
+ * the pixel is outside, by the last bit of the edge's start. */
+static void tall_edge_just_beside_a_centre(void)
+{
+    static const struct test_triangle t = {{128, 129, 2048}, {127, 127 + (INT32_C(1) << 22), 127}};
+    const struct etch_rect window = {0, 0, 8, 8};
+    int i;
+
+    for (i = 0; i < 6; i++) {
+        test_canvas_open(&canvas, window);
+        draw_runs(&t, test_orders[i]);
+        CHECK(!test_canvas_drawn(&canvas, 0, 0));
+        CHECK(test_canvas_drawn(&canvas, 1, 0));
+        compare(&t);
+    }
+}
 
 /* etch_triangle_fill: int16 vertices name pixels and stand at their centres. */
 static void int16_vertices_stand_at_centres(void)
@@ -241,10 +259,12 @@ void suite_triangle(void)
     RUN(triangles_far);
     RUN(triangles_screen);
     RUN(triangles_sliver);
+    RUN(triangles_tall);
+    RUN(tall_edge_just_beside_a_centre);
     RUN(int16_vertices_stand_at_centres);
     RUN(q16_vertices_are_snapped);
     RUN(setup_tells_area_and_winding);
-    test_print_count("", TEST_COUNT(20000) * 12,
-                     " triangles of twelve kinds in six vertex orders, no differing pixel");
+    test_print_count("", TEST_COUNT(20000) * 13,
+                     " triangles of thirteen kinds in six vertex orders, no differing pixel");
     test_print_count("", TEST_COUNT(20000) * 2, " by int16 and 16.16 vertices");
 }
