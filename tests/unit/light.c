@@ -74,23 +74,40 @@ static void lit_colors_meet_the_bound(void)
     }
 }
 
-/* 255 lights at full strength saturate and do not wrap. */
+/* Any number of lights at full strength, on a normal that is longer than 1, on every kind of
+ * colour: sums pass 2^32 many times over and saturate instead of wrapping. */
 static void many_lights_saturate(void)
 {
+    static const uint8_t colors[] = {0, 1, 2, 3, 127, 128, 200, 253, 254, 255};
+    static const int8_t normals[][3] = {{127, 127, 127}, {-128, -128, -128}, {127, 0, 0}};
     static struct etch_light lights[255];
-    const struct etch_lighting lighting = {{255, 255, 255}, 255, lights};
-    const int8_t normal[3] = {127, 127, 127};
-    uint8_t rgb[3] = {255, 1, 0};
-    int i;
+    int n, i, c;
 
-    for (i = 0; i < 255; i++) {
-        lights[i].x = lights[i].y = lights[i].z = 9534; /* (1, 1, 1) */
-        lights[i].diffuse[0] = lights[i].diffuse[1] = lights[i].diffuse[2] = 255;
+    for (n = 0; n < 3; n++) {
+        const int16_t to = normals[n][0] < 0 ? -9534 : 9534; /* (1, 1, 1) or its opposite */
+
+        for (i = 0; i < 255; i++) {
+            lights[i].x = lights[i].y = lights[i].z = to;
+            lights[i].diffuse[0] = lights[i].diffuse[1] = 255;
+            lights[i].diffuse[2] = (uint8_t)(n == 0 ? 255 : 254);
+        }
+        for (i = 0; i < 255 * 2; i++) {
+            const uint8_t dark = (uint8_t)(i % 2 == 0 ? 0 : 255);
+            const struct etch_lighting lighting = {
+                {dark, dark, dark}, (uint8_t)(i / 2 + 1), lights};
+
+            for (c = 0; c < (int)sizeof colors; c++) {
+                uint8_t rgb[3] = {colors[c], colors[c], colors[c]};
+
+                etch_light_vertex(&lighting, normals[n], rgb);
+                CHECK(is_lit(rgb[0], colors[c], &lighting, 0, normals[n]));
+                CHECK(is_lit(rgb[2], colors[c], &lighting, 2, normals[n]));
+                CHECK_EQ(rgb[1], rgb[0]);
+                if (n == 0 && i / 2 == 254) /* 441 times the colour */
+                    CHECK_EQ(rgb[0], colors[c] == 0 ? 0 : 255);
+            }
+        }
     }
-    etch_light_vertex(&lighting, normal, rgb);
-    CHECK_EQ(rgb[0], 255);
-    CHECK_EQ(rgb[1], 255);
-    CHECK_EQ(rgb[2], 0);
 }
 
 /* Light from the front, side and back of a normal, white on white. */
