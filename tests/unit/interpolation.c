@@ -1,11 +1,14 @@
 /* tests/unit: the bounds that interpolation promises for colour and depth, against exact rationals
  * on the snapped vertices, at every pixel of triangles of every kind. */
 #include "core/draw/triangle.h"
+#include "core/fragment/flat.h"
 #include "core/fragment/gouraud.h"
 #include "tests/harness/canvas.h"
 #include "tests/harness/sample.h"
 
 void suite_interpolation(void);
+
+#define FAR UINT32_C(0xFFFF0000) /* depth 65535.0 */
 
 static struct test_canvas canvas;
 static int32_t pixels;
@@ -161,6 +164,46 @@ static void depth_with_a_gradient_at_the_end_of_its_range(void)
     check_pixels(&s);
 }
 
+/* Depths beyond 65535.0, up to the last one that the type holds, count as 65535.0: bounds hold, and
+ * the painters that take depths draw what they draw of the depths so clamped. */
+static void depths_beyond_far_are_far(void)
+{
+    static const uint32_t beyond[] = {FAR + 1,      FAR + 0x7FFF, FAR + 0x8000,
+                                      FAR + 0x8001, FAR + 0xFFFE, UINT32_MAX};
+    uint32_t seed = 47;
+    int32_t i;
+
+    for (i = 0; i < TEST_COUNT(20000) && !test_failed(); i++) {
+        struct test_sample s;
+        struct etch_vertex given[3];
+        const struct etch_vertex *const v[3] = {&given[0], &given[1], &given[2]};
+        uint32_t hash;
+        int k;
+
+        test_sample_make(&s, &canvas, i, &seed);
+        for (k = 0; k < 3; k++) {
+            const uint32_t bits = test_random(&seed);
+
+            if (i % 3 == 0 || bits % 2 == 0)
+                s.vertex[k].z_q16 = FAR;
+            given[k] = s.vertex[k];
+            if (given[k].z_q16 == FAR)
+                given[k].z_q16 = beyond[bits / 2 % 6];
+        }
+        etch_triangle_gouraud_depth(&canvas.surface, v, etch_kernel_gouraud_lequal);
+        check_pixels(&s);
+        test_canvas_wipe(&canvas);
+        etch_triangle_flat_depth(&canvas.surface, v, etch_kernel_flat_lequal);
+        hash = test_canvas_hash(&canvas);
+        test_canvas_wipe(&canvas);
+        for (k = 0; k < 3; k++)
+            given[k].z_q16 = s.vertex[k].z_q16;
+        etch_triangle_flat_depth(&canvas.surface, v, etch_kernel_flat_lequal);
+        if (!CHECK_EQ(test_canvas_hash(&canvas), hash))
+            test_sample_note(&s, 0, 0);
+    }
+}
+
 /* The colour kernel without depth gives the same colours. */
 static void color_without_depth_is_the_same(void)
 {
@@ -238,6 +281,7 @@ void suite_interpolation(void)
     RUN(color_and_depth_keep_their_bounds);
     RUN(slivers_keep_their_bounds);
     RUN(depth_with_a_gradient_at_the_end_of_its_range);
+    RUN(depths_beyond_far_are_far);
     RUN(color_without_depth_is_the_same);
     RUN(constants_stay_constant);
     test_print_count("", pixels, " pixels against exact rationals, none beyond its bound");
