@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "file.h"
 #include "output.h"
 #include "report.h"
 #include "simulate.h"
@@ -138,16 +139,30 @@ static int run(const struct options *o, const struct etch_scene *scene, struct e
     return ok ? 0 : failed(error);
 }
 
-/* Two outputs of one name, or one over the scene, would destroy each other. */
-static const char *clash(const struct options *o)
+/* An output that is another one too, or a file that the scene is read from: one of them would be
+ * lost. NULL if there is none. Devices may be read and written. */
+static const char *clash(const struct options *o, const struct etch_scene *scene)
 {
-    const char *const names[] = {o->scene, o->picture, o->raw, o->depth};
+    const char *const outputs[] = {o->picture, o->raw, o->depth};
 
-    for (int i = 1; i < 4; i++) {
-        for (int k = 0; k < i; k++) {
-            if (names[i] != NULL && names[k] != NULL && strcmp(names[i], names[k]) == 0) {
-                return names[i];
+    for (int i = 0; i < 3; i++) {
+        const char *name = outputs[i];
+
+        for (int k = 0; name != NULL && k < i; k++) {
+            if (outputs[k] != NULL && etch_file_same(name, outputs[k])) {
+                return name;
             }
+        }
+        if (name == NULL || !etch_file_regular(name)) {
+            continue;
+        }
+        for (size_t k = 0; k < scene->file_count; k++) {
+            if (etch_file_same(name, scene->file[k])) {
+                return name;
+            }
+        }
+        if (etch_file_same(name, o->scene)) {
+            return name;
         }
     }
     return NULL;
@@ -158,6 +173,7 @@ int main(int count, char **words)
     static struct etch_error error;
     struct options options = {0};
     struct etch_scene scene;
+    const char *twice;
     int status = read_options(&options, count, words);
 
     if (status != 0) {
@@ -170,13 +186,12 @@ int main(int count, char **words)
     if (options.picture != NULL && etch_output_picture(options.picture) == NULL) {
         return wrong("a picture's name ends in .png or .ppm, not ", options.picture);
     }
-    if (clash(&options) != NULL) {
-        return wrong("one file in two places: ", clash(&options));
-    }
     if (!etch_scene_open(&scene, options.scene, &error)) {
         return failed(&error);
     }
-    status = run(&options, &scene, &error);
+    twice = clash(&options, &scene);
+    status = twice != NULL ? wrong("one file in two places: ", twice)
+                           : run(&options, &scene, &error);
     etch_scene_close(&scene);
     return status;
 }

@@ -190,20 +190,19 @@ static bool read_line(struct obj_file *file)
     return ok && etch_text_finished(&file->text);
 }
 
-bool etch_obj_open(struct etch_obj *obj, const char *path, struct etch_error *error)
+bool etch_obj_read(struct etch_obj *obj, struct etch_text *text)
 {
-    struct obj_file file = {.v = NULL};
-    bool ok;
+    struct obj_file file = {.text = *text};
+    bool ok = true;
 
     *obj = (struct etch_obj){.scale = 0};
-    error->text[0] = '\0';
-    ok = etch_text_open(&file.text, path, error);
     file.text.joins = true;
     while (ok && etch_text_line(&file.text)) {
         ok = read_line(&file);
     }
-    ok = ok && error->text[0] == '\0' && obj_build(obj, &file);
+    ok = ok && text->error->text[0] == '\0' && obj_build(obj, &file);
     etch_text_close(&file.text);
+    text->data = NULL;
     free(file.v);
     free(file.vn);
     free(file.corner);
@@ -211,6 +210,15 @@ bool etch_obj_open(struct etch_obj *obj, const char *path, struct etch_error *er
         etch_obj_close(obj);
     }
     return ok;
+}
+
+bool etch_obj_open(struct etch_obj *obj, const char *path, struct etch_error *error)
+{
+    struct etch_text text;
+
+    *obj = (struct etch_obj){.scale = 0};
+    error->text[0] = '\0';
+    return etch_text_open(&text, path, error) && etch_obj_read(obj, &text);
 }
 
 void etch_obj_close(struct etch_obj *obj)

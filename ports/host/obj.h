@@ -25,8 +25,11 @@ struct etch_obj {
     uint16_t *indices;
 };
 
-/* Reads a mesh. False, with the reason in *error, if the file is wrong or memory ran out;
- * there is nothing to close then. */
+/* Reads a mesh from an open text, and closes that. False, with the reason in *text->error, if
+ * the file is wrong or memory ran out; there is nothing to close then. */
+bool etch_obj_read(struct etch_obj *obj, struct etch_text *text);
+
+/* The same from a file. */
 bool etch_obj_open(struct etch_obj *obj, const char *path, struct etch_error *error);
 
 /* Gives the memory back. */

@@ -3,9 +3,19 @@
 #include "output.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
+
+#include "file.h"
+
+/* The outputs of one call. */
+struct outputs {
+    struct etch_output *output;
+    size_t count;
+};
 
 etch_dump *etch_output_picture(const char *path)
 {
@@ -17,84 +27,124 @@ etch_dump *etch_output_picture(const char *path)
                                       : NULL;
 }
 
-/* True for what a rename must not replace: a device, a pipe, a folder, a link to something. */
-static bool is_special(const char *path)
+/* True for what a rename must not replace: a device, a pipe, a folder, an open file of /proc. */
+static bool is_special(const char *target)
 {
     struct stat status;
-    return lstat(path, &status) == 0 && !S_ISREG(status.st_mode);
+    return lstat(target, &status) == 0 && !S_ISREG(status.st_mode);
 }
 
-/* Sets output->part; false without memory. */
-static bool choose_part(struct etch_output *o)
+static bool is_place(const struct outputs *all, const char *name)
 {
-    static const char suffix[] = ".part";
-    const size_t size = strlen(o->path);
-
-    if (is_special(o->path)) {
-        return true;
+    for (size_t i = 0; i < all->count; i++) {
+        if (all->output[i].path != NULL && etch_file_same(all->output[i].path, name)) {
+            return true;
+        }
     }
-    o->part = malloc(size + sizeof suffix);
-    if (o->part == NULL) {
-        return false;
-    }
-    memcpy(o->part, o->path, size);
-    memcpy(o->part + size, suffix, sizeof suffix);
-    return true;
+    return false;
 }
 
-static bool write_one(struct etch_output *o)
+/* Creates a file of a new name beside the target, which is nobody's and will be no output's. */
+static int create_part(struct etch_output *o, const struct outputs *all)
 {
-    FILE *file;
+    const size_t size = strlen(o->target) + sizeof ".99.part";
+    int file = -1;
+
+    o->part = malloc(size);
+    errno = o->part != NULL ? EEXIST : ENOMEM;
+    for (int i = 0; file < 0 && errno == EEXIST && i < 100; i++) {
+        (void)snprintf(o->part, size, "%s.%d.part", o->target, i);
+        if (is_place(all, o->part)) {
+            errno = EEXIST;
+        } else {
+            file = open(o->part, O_WRONLY | O_CREAT | O_EXCL, 0666);
+        }
+    }
+    if (file < 0) {
+        free(o->part); /* nothing to remove */
+        o->part = NULL;
+    }
+    return file;
+}
+
+/* A file that may not be written is not replaced either. */
+static bool may_replace(const char *target)
+{
+    return access(target, F_OK) != 0 || access(target, W_OK) == 0;
+}
+
+static bool dump_to(const struct etch_output *o, FILE *file)
+{
     bool ok;
 
-    errno = 0;
-    if (!choose_part(o)) {
-        return false;
-    }
-    file = fopen(o->part != NULL ? o->part : o->path, "wb");
     if (file == NULL) {
-        free(o->part);
-        o->part = NULL; /* nothing to remove */
         return false;
     }
     ok = o->dump(file, o->plane);
     return (fclose(file) == 0) & ok;
 }
 
-static bool place(struct etch_output *o)
+/* The passes: regular files to their parts, the others in place, then all parts to their names. */
+
+static bool write_part(struct etch_output *o, const struct outputs *all)
 {
-    if (o->part != NULL && rename(o->part, o->path) != 0) {
+    int file;
+
+    o->target = etch_file_target(o->path);
+    if (o->target == NULL) {
         return false;
     }
-    o->placed = o->part != NULL;
-    return true;
+    if (is_special(o->target)) {
+        return true;
+    }
+    file = may_replace(o->target) ? create_part(o, all) : -1;
+    return file >= 0 && dump_to(o, fdopen(file, "wb"));
 }
 
-/* Removes the files that were begun and forgets their other names. */
-static void clean_up(struct etch_output *output, size_t count, bool ok)
+static bool write_in_place(struct etch_output *o, const struct outputs *all)
 {
-    for (size_t i = 0; i < count; i++) {
-        if (!ok && output[i].part != NULL) {
-            (void)remove(output[i].placed ? output[i].path : output[i].part);
+    (void)all;
+    return o->part != NULL || dump_to(o, fopen(o->path, "wb"));
+}
+
+static bool place(struct etch_output *o, const struct outputs *all)
+{
+    (void)all;
+    o->placed = o->part != NULL && rename(o->part, o->target) == 0;
+    return o->placed || o->part == NULL;
+}
+
+/* Removes the parts that have not become files and forgets their names. */
+static void clean_up(const struct outputs *all)
+{
+    for (size_t i = 0; i < all->count; i++) {
+        struct etch_output *o = &all->output[i];
+
+        if (o->part != NULL && !o->placed) {
+            (void)remove(o->part);
         }
-        free(output[i].part);
-        output[i].part = NULL;
+        free(o->part);
+        free(o->target);
+        o->part = o->target = NULL;
     }
 }
 
 bool etch_outputs_write(struct etch_output *output, size_t count, struct etch_error *error)
 {
-    bool (*const passes[])(struct etch_output *) = {write_one, place};
+    static bool (*const passes[])(struct etch_output *,
+                                  const struct outputs *) = {write_part, write_in_place, place};
+    const struct outputs all = {output, count};
     bool ok = true;
 
-    for (size_t pass = 0; pass < 2; pass++) {
+    for (size_t pass = 0; pass < sizeof passes / sizeof passes[0]; pass++) {
         for (size_t i = 0; ok && i < count; i++) {
-            if (output[i].path != NULL && !passes[pass](&output[i])) {
+            errno = 0;
+            if (output[i].path != NULL && !passes[pass](&output[i], &all)) {
                 ok = etch_error_set(error, output[i].path, 0, "cannot write: %s",
                                     strerror(errno != 0 ? errno : ENOMEM));
             }
         }
     }
-    clean_up(output, count, ok);
+    clean_up(&all);
     return ok;
 }

@@ -11,13 +11,17 @@ struct etch_output {
     const struct etch_plane16 *plane;
 
     /* Private. */
-    char *part;  /* where it is written before it gets its name; NULL: written in place */
-    bool placed; /* it has its name */
+    char *target; /* where the path's links lead */
+    char *part;   /* where it is written before it gets its name; NULL: written in place */
+    bool placed;  /* it has its name */
 };
 
-/* Writes all outputs: regular files under another name first (PATH.part), which take their own
- * names once all are complete; what is not a regular file (a pipe, a device) in place. False,
- * with the reason in *error, if one fails: none of the files is left then. */
+/* Writes all outputs. Files are written beside their places first, as PATH.N.part with the first
+ * N that is free, and get their names, from older files too, once all outputs are complete; links
+ * lead to the file that is replaced. What is not a file (a pipe, a device) is written in place.
+ * False, with the reason in *error, if one cannot be written: files that were there before are
+ * then as they were, and there are no new ones. (Should a complete file not get its name, those
+ * before it keep theirs.) */
 bool etch_outputs_write(struct etch_output *output, size_t count, struct etch_error *error);
 
 /* The writer for a picture file by its name, NULL unless that ends in .png or .ppm. */

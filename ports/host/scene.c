@@ -56,20 +56,44 @@ bool etch_scene_take(struct etch_scene_reader *reader, const char *name)
     return true;
 }
 
-char *etch_scene_path(struct etch_scene_reader *reader, struct etch_word word)
+/* Keeps the name of a file, from malloc, as the scene's. */
+static bool add_file(struct etch_scene *scene, char *path)
+{
+    void *list = scene->file;
+
+    if (path == NULL ||
+        !etch_array_grow(&list, &scene->file_capacity, scene->file_count, sizeof *scene->file)) {
+        free(path);
+        return false;
+    }
+    scene->file = list;
+    scene->file[scene->file_count++] = path;
+    return true;
+}
+
+const char *etch_scene_path(struct etch_scene_reader *reader, const char **name)
 {
     const char *scene = reader->text.path;
     const char *slash = strrchr(scene, '/');
-    const size_t folder = slash != NULL && word.text[0] != '/' ? (size_t)(slash + 1 - scene) : 0;
-    char *path = malloc(folder + word.size + 1);
+    struct etch_word word;
+    size_t folder;
+    char *path;
 
-    if (path == NULL) {
+    if (!etch_text_word(&reader->text, "file", &word)) {
+        return NULL;
+    }
+    folder = slash != NULL && word.text[0] != '/' ? (size_t)(slash + 1 - scene) : 0;
+    path = malloc(folder + word.size + 1);
+    if (path != NULL) {
+        memcpy(path, scene, folder);
+        memcpy(path + folder, word.text, word.size);
+        path[folder + word.size] = '\0';
+    }
+    if (!add_file(reader->scene, path)) {
         (void)etch_text_fail(&reader->text, "out of memory");
         return NULL;
     }
-    memcpy(path, scene, folder);
-    memcpy(path + folder, word.text, word.size);
-    path[folder + word.size] = '\0';
+    *name = path + folder;
     return path;
 }
 
@@ -160,6 +184,10 @@ void etch_scene_close(struct etch_scene *scene)
         etch_scene_mesh_free(scene->mesh[i]);
     }
     free(scene->mesh);
+    for (size_t i = 0; i < scene->file_count; i++) {
+        free(scene->file[i]);
+    }
+    free(scene->file);
     free(scene->step);
     *scene = (struct etch_scene){0};
 }

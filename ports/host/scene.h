@@ -18,10 +18,12 @@ struct etch_scene {
     bool uses_depth;     /* something tests or writes depth */
     size_t count;        /* of steps */
     size_t vertex_bytes; /* RAM for the transformed vertices of its meshes */
+    char **file;         /* what it reads beside itself: meshes, textures */
+    size_t file_count;
 
     /* Private. */
     struct etch_scene_step *step;
-    size_t capacity;
+    size_t capacity, file_capacity;
     struct etch_scene_mesh **mesh;
     size_t mesh_count, mesh_capacity;
 };

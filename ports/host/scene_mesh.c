@@ -115,25 +115,23 @@ static bool read_mesh(struct etch_scene_reader *reader,
 {
     struct etch_scene_step *step = etch_scene_append(reader, statement);
     struct etch_scene_mesh *mesh = step != NULL ? new_mesh(reader) : NULL;
-    struct etch_word word;
-    char *path;
-    bool ok;
+    struct etch_text text;
+    const char *path, *name;
 
-    if (mesh == NULL || !etch_text_word(&reader->text, "file", &word)) {
+    if (mesh == NULL) {
         return false;
     }
     step->of.mesh = mesh;
+    path = etch_scene_path(reader, &name);
+    if (path == NULL) {
+        return false;
+    }
     step->pipeline = etch_scene_read_pipeline(reader);
     if (step->pipeline == NULL) {
         return false;
     }
-    path = etch_scene_path(reader, word);
-    if (path == NULL) {
-        return false;
-    }
-    ok = etch_obj_open(&mesh->obj, path, reader->text.error) && prepare(reader, mesh);
-    free(path);
-    return ok;
+    return etch_text_open_named(&text, path, name, &reader->text) &&
+           etch_obj_read(&mesh->obj, &text) && prepare(reader, mesh);
 }
 
 void etch_scene_mesh_free(struct etch_scene_mesh *mesh)

@@ -113,9 +113,10 @@ bool etch_scene_read_byte(struct etch_scene_reader *reader, const char *name, ui
 /* Takes the next word if it is `name`. */
 bool etch_scene_take(struct etch_scene_reader *reader, const char *name);
 
-/* A file name of a scene, which is relative to the scene's folder unless it begins with `/`.
- * From malloc; NULL, with an error set, without memory. */
-char *etch_scene_path(struct etch_scene_reader *reader, struct etch_word word);
+/* Takes a file's name, which is relative to the scene's folder unless it begins with `/`. The path
+ * stays the scene's, which keeps a list of its files; *name is the name as it was given. NULL,
+ * with an error set, without a name or memory. */
+const char *etch_scene_path(struct etch_scene_reader *reader, const char **name);
 
 /* The model-to-clip matrix of the view; false, with an error set, if it has none. */
 bool etch_scene_model_to_clip(struct etch_scene_reader *reader, struct etch_matrix *m);

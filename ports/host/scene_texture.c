@@ -44,29 +44,24 @@ static bool read_texels(struct etch_scene_reader *reader)
 /* ppm FILE, a binary PPM of 8 bits a channel. */
 static bool read_ppm(struct etch_scene_reader *reader)
 {
-    struct etch_word word;
-    char *path;
+    const char *path, *name;
     FILE *file;
     int width, height, depth;
     bool ok;
 
-    if (!etch_text_word(&reader->text, "file", &word)) {
-        return false;
-    }
-    path = etch_scene_path(reader, word);
+    path = etch_scene_path(reader, &name);
     if (path == NULL) {
         return false;
     }
     file = fopen(path, "rb");
     if (file == NULL) {
-        ok = etch_text_fail(&reader->text, "cannot open %s: %s", path, strerror(errno));
+        ok = etch_text_fail(&reader->text, "cannot open %s: %s", name, strerror(errno));
     } else {
         ok = fscanf(file, "P6 %5d %5d %5d", &width, &height, &depth) == 3 && width > 0 &&
              height > 0 && width <= 32767 && height <= 32767 && depth == 255;
         (void)(ok || etch_text_fail(&reader->text, "%s is not a P6 file of 8 bits", path));
         (void)fclose(file);
     }
-    free(path);
     return ok;
 }
 

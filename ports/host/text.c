@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define MAX_SIZE ((size_t)1 << 30)
+#include "file.h"
 
 static bool set_error(struct etch_error *error, const char *path, unsigned long line,
                       const char *format, va_list arguments)
@@ -42,51 +42,26 @@ bool etch_text_fail(struct etch_text *text, const char *format, ...)
     return false;
 }
 
-/* Reads to the end of the stream; NULL with errno set if that fails. */
-static char *read_all(FILE *file, size_t *size)
+/* Takes the file; false if there is none, with errno set. */
+static bool load(struct etch_text *text, const char *path, struct etch_error *error)
 {
-    size_t capacity = 65536, used = 0;
-    char *data = malloc(capacity);
-
-    while (data != NULL) {
-        char *more;
-
-        used += fread(data + used, 1, capacity - used, file);
-        if (used < capacity || capacity >= MAX_SIZE) {
-            break;
-        }
-        capacity *= 2;
-        more = realloc(data, capacity);
-        if (more == NULL) {
-            free(data);
-        }
-        data = more;
-    }
-    if (data == NULL || ferror(file) || used >= MAX_SIZE) {
-        errno = data == NULL ? ENOMEM : ferror(file) ? errno : EFBIG;
-        free(data);
-        return NULL;
-    }
-    *size = used;
-    return data;
+    *text = (struct etch_text){.path = path, .error = error};
+    text->data = etch_file_read(path, &text->size);
+    text->next = text->at = text->end = text->data;
+    return text->data != NULL;
 }
 
 bool etch_text_open(struct etch_text *text, const char *path, struct etch_error *error)
 {
-    FILE *file = fopen(path, "rb");
+    return load(text, path, error) ||
+           etch_error_set(error, path, 0, "cannot open: %s", strerror(errno));
+}
 
-    *text = (struct etch_text){.path = path, .error = error};
-    if (file == NULL) {
-        return etch_error_set(error, path, 0, "cannot open: %s", strerror(errno));
-    }
-    errno = EIO;
-    text->data = read_all(file, &text->size);
-    if (text->data == NULL) {
-        (void)etch_error_set(error, path, 0, "cannot read: %s", strerror(errno));
-    }
-    (void)fclose(file);
-    text->next = text->at = text->end = text->data;
-    return text->data != NULL;
+bool etch_text_open_named(struct etch_text *text, const char *path, const char *name,
+                          struct etch_text *from)
+{
+    return load(text, path, from->error) ||
+           etch_text_fail(from, "cannot open %s: %s", name, strerror(errno));
 }
 
 void etch_text_close(struct etch_text *text)

@@ -43,6 +43,11 @@ struct etch_text {
  * to close then. */
 bool etch_text_open(struct etch_text *text, const char *path, struct etch_error *error);
 
+/* The same for a file that a line of another names, as `name`: if it cannot be read the error is
+ * that line's. Errors go where those of `from` go. */
+bool etch_text_open_named(struct etch_text *text, const char *path, const char *name,
+                          struct etch_text *from);
+
 /* Gives the memory back. */
 void etch_text_close(struct etch_text *text);
 

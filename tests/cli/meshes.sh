@@ -49,7 +49,10 @@ obj '2: a NUL byte' 'v 0 0 0\n\000\n'
 obj '0: a coordinate is too large' 'v 1e30 0 0\nv 0 1 0\nv 0 0 0\nf 1 2 3\n'
 rm -f "$out/wrong.obj"
 printf 'scene 8 8\n\nmesh none.obj\n' >"$out/mesh.scene"
-rejects 'no such mesh' "^$out/none.obj:0: cannot open: " "$out/mesh.scene" -o "$out/o.png"
+rejects 'no such mesh' "^$out/mesh.scene:3: cannot open none.obj: No such file" "$out/mesh.scene" \
+    -o "$out/o.png"
+scene '2: cannot open sub/none.obj: ' 'scene 8 8\nmesh sub/none.obj\n'
+scene '2: cannot open ./: ' 'scene 8 8\nmesh ./\n' # a folder
 
 # A polygon, written in all the ways of OBJ, fills the same pixels: the middle of a view that is
 # 4 high. In full light from the camera its colour is the material's.

@@ -61,6 +61,64 @@ same 'over a file' "$out/o.565" "$out/q.565"
 sim "$a" --raw /dev/stdout >"$out/q.565" || fail 'to a pipe'
 same 'to stdout' "$out/o.565" "$out/q.565"
 
+# No output destroys a file that is read, nor another output, under whatever spelling or link.
+spare=$out/spare
+mkdir "$spare"
+printf 'v -1 -1 0\nv 1 -1 0\nv 1 1 0\nf 1 2 3\n' >"$spare/m.obj"
+printf 'P6 1 1 255\n\377\000\000' >"$spare/t.ppm"
+printf 'scene 8 8\ncamera 0 0 5 0 0 0\nmesh m.obj\ntexture ppm t.ppm\n' >"$spare/b.scene"
+ln "$spare/m.obj" "$spare/hard.565"
+ln -s t.ppm "$spare/soft.565"
+ln -s new.565 "$spare/dangling.565"
+echo old >"$spare/x.png"
+refuses() { # FILE OPTIONS..: refused, naming the file, and everything is as it was
+    ls "$spare" >"$out/names"
+    cat "$spare"/[a-z].* >"$out/before"
+    file=$1
+    shift
+    rejects "one file twice: $*" "^etch-sim: one file in two places: $file" "$spare/b.scene" "$@"
+    cat "$spare"/[a-z].* >"$out/after"
+    same "one file twice: $*" "$out/before" "$out/after"
+    ls "$spare" >"$out/after"
+    same "new files: $*" "$out/names" "$out/after"
+}
+for name in ./b.scene ../spare/b.scene m.obj .//m.obj t.ppm hard.565 soft.565; do
+    refuses "$spare/$name" -o "$out/o.png" --raw "$spare/$name"
+    refuses "$spare/$name" --depth "$spare/$name"
+done
+refuses "$spare/./x.png" -o "$spare/x.png" --raw "$spare/./x.png"
+refuses "$spare/./n.png" -o "$spare/n.png" --depth "$spare/./n.png"
+refuses "$spare/dangling.565" --raw "$spare/new.565" --depth "$spare/dangling.565"
+refuses "$spare/../spare/new.565" --raw "$spare/dangling.565" --depth "$spare/../spare/new.565"
+sim "$spare/b.scene" --raw "$spare/dangling.565" && [ -f "$spare/new.565" ] &&
+    [ -L "$spare/dangling.565" ] && pass || fail 'a link to a file that does not exist yet'
+
+# Files of the user's beside an output stay, whatever they are called.
+for i in '' .0 .1; do echo mine >"$spare/x.png$i.part"; done
+cp -r "$spare" "$out/kept"
+sim "$spare/b.scene" -o "$spare/x.png" || fail 'over x.png'
+for i in '' .0 .1; do same "x.png$i.part" "$spare/x.png$i.part" "$out/kept/x.png$i.part"; done
+[ ! -e "$spare/x.png.2.part" ] && pass || fail 'a part is left'
+sim "$a" --raw "$spare/p.0.part" --depth "$spare/p" || fail 'an output called like a part'
+same 'an output called like a part' "$spare/p.0.part" "$out/p.565"
+same 'the output that it is called after' "$spare/p" "$out/p.z16"
+
+# An older output stays when the scene is wrong, or when another output cannot be written.
+echo old >"$spare/old.565"
+echo old >"$out/old"
+ln -s old.565 "$spare/link.565"
+printf 'scene 8 8\nmesh none.obj\n' >"$spare/c.scene"
+sim "$spare/c.scene" --raw "$spare/old.565" 2>/dev/null && fail 'a wrong scene'
+same 'older than a wrong scene' "$spare/old.565" "$out/old"
+for other in "$out/none/o" "$out"; do
+    sim "$a" --raw "$spare/old.565" --depth "$other" 2>/dev/null && fail 'no such folder'
+    same 'older than a failure' "$spare/old.565" "$out/old"
+    sim "$a" --raw "$spare/link.565" --depth "$other" 2>/dev/null && fail 'no such folder'
+    same 'older than a failure, by a link' "$spare/old.565" "$out/old"
+done
+[ -z "$(ls "$spare" | grep '565\..*part')" ] && pass || fail 'a part is left after a failure'
+rm -r "$spare" "$out/kept"
+
 # What is printed.
 has() { # LINE, of the last output
     if grep -q -x "$1" "$out/stdout"; then pass; else
