@@ -11,7 +11,7 @@ static uint32_t divide(uint32_t n, uint32_t d, uint32_t *rest)
 
     for (uint8_t bit = 32; bit != 0; bit--) { /* n gives its bits and takes the quotient's */
         r = r << 1 | n >> 31;
-        n <<= 1;
+        n = etch_wrap_add(n, n);
         if (r >= d)
             r -= d, n |= 1;
     }

@@ -41,7 +41,7 @@ static void multiply(struct work *w, uint32_t bits, uint32_t n, bool negative)
                 whole = etch_wrap_add(whole, factor), rest += factor_rest;
             for (; rest >= d; rest -= d)
                 whole = etch_wrap_add(whole, 1);
-            bits <<= 1;
+            bits = etch_wrap_add(bits, bits);
         } while (--n != 0);
         w->product.rest = rest;
     } else {
@@ -54,7 +54,7 @@ static void multiply(struct work *w, uint32_t bits, uint32_t n, bool negative)
                 whole = etch_wrap_add(whole, factor), rest += w->factor.rest;
             for (; rest >= w->d; rest -= w->d)
                 whole = etch_wrap_add(whole, 1);
-            bits <<= 1;
+            bits = etch_wrap_add(bits, bits);
         } while (--n != 0);
         w->product.rest = rest;
     }
@@ -81,7 +81,7 @@ static uint32_t axis(struct work *w, int64_t n, int32_t to)
 
     begin(w, 0, 1);
     multiply(w, (uint32_t)(magnitude >> 25), 32, false);
-    multiply(w, (uint32_t)magnitude << 7, 25, n < 0);
+    multiply(w, etch_wrap_mul((uint32_t)magnitude, 128), 25, n < 0);
 
     const uint32_t whole = w->product.whole;
     const uint64_t rest = w->product.rest;

@@ -24,7 +24,7 @@ static uint32_t scale(uint32_t k, uint8_t bits, uint32_t n, uint32_t d, uint32_t
         r <<= 1;
         if (k >> 31 != 0)
             r += n;
-        k <<= 1;
+        k = etch_wrap_add(k, k);
         for (; r >= d; whole++)
             r -= d;
     } while (--bits != 0);
@@ -67,7 +67,7 @@ static void edge(const struct block *block, const struct etch_point_q8 *a,
     if (sign != 0)
         rest = dy - 1 - rest;
     /* x_c - 128 in 1/256 px is c + e / dy */
-    uint32_t c = etch_wrap_add((uint32_t)a->x - 128, etch_wrap_mul(down, whole));
+    uint32_t c = etch_wrap_add((uint32_t)(a->x - 128), etch_wrap_mul(down, whole));
     c = etch_wrap_add(c, scale(down, down < 256 ? 8 : 25, rest, dy, &e));
     const int32_t lo = block->clip->x0, hi = block->clip->x1;
     int32_t x = (int32_t)c >> 8, excess;

@@ -20,7 +20,8 @@ void etch_panel_refuse(struct etch_panel *panel, const char *format, ...)
 bool etch_panel_open(struct etch_panel *panel, const struct etch_panel_type *type)
 {
     const size_t rows = (size_t)type->memory_height;
-    const size_t size = rows * (size_t)type->memory_width;
+    const int32_t cells = (int32_t)type->memory_height * type->memory_width;
+    const size_t size = (size_t)cells;
     uint32_t noise = 1;
 
     *panel = (struct etch_panel){.type = type};
