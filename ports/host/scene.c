@@ -172,7 +172,9 @@ bool etch_scene_open(struct etch_scene *scene, const char *path, struct etch_err
     }
     etch_text_close(&reader->text);
     free(reader);
-    if (!ok) {
+    if (ok) {
+        etch_scene_textures_finish(scene);
+    } else {
         etch_scene_close(scene);
     }
     return ok;
@@ -184,6 +186,7 @@ void etch_scene_close(struct etch_scene *scene)
         etch_scene_mesh_free(scene->mesh[i]);
     }
     free(scene->mesh);
+    etch_scene_textures_free(scene);
     for (size_t i = 0; i < scene->file_count; i++) {
         free(scene->file[i]);
     }

@@ -10,6 +10,7 @@
 
 struct etch_scene_step;
 struct etch_scene_mesh;
+struct etch_scene_texture;
 
 struct etch_scene {
     int16_t width, height;
@@ -26,6 +27,8 @@ struct etch_scene {
     size_t capacity, file_capacity;
     struct etch_scene_mesh **mesh;
     size_t mesh_count, mesh_capacity;
+    struct etch_scene_texture **texture;
+    size_t texture_count, texture_capacity;
 };
 
 /* Reads and checks a scene. False, with the reason in *error, if anything is wrong; there is

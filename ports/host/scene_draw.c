@@ -11,8 +11,9 @@ uint16_t etch_scene_color(const struct etch_scene_run *run, const uint8_t rgb[3]
     return run->scene->format == ETCH_FORMAT_RGB565_SWAPPED ? etch_rgb565_swap(color) : color;
 }
 
-void etch_scene_count(const struct etch_surface *surface, int16_t y0, const struct etch_run *runs,
-                      uint8_t n, const struct etch_paint *paint)
+/* Returns the run that the surface belongs to. */
+static const struct etch_scene_run *count(const struct etch_surface *surface,
+                                          const struct etch_run *runs, uint8_t n)
 {
     const struct etch_scene_run *run = (const struct etch_scene_run *)(const void *)surface;
 
@@ -20,8 +21,57 @@ void etch_scene_count(const struct etch_surface *surface, int16_t y0, const stru
         run->stats->runs += runs[i].x1 > runs[i].x0;
         run->stats->pixels += (uint64_t)(runs[i].x1 - runs[i].x0);
     }
+    return run;
+}
+
+void etch_scene_count(const struct etch_surface *surface, int16_t y0, const struct etch_run *runs,
+                      uint8_t n, const struct etch_paint *paint)
+{
+    const struct etch_scene_run *run = count(surface, runs, n);
+
     if (run->kernel != NULL) {
         run->kernel(surface, y0, runs, n, paint);
+    }
+}
+
+/* The counting kernels of a texture: which one is called says which is counted. */
+
+static void count_affine(const struct etch_surface *surface, int16_t y0,
+                         const struct etch_run *runs, uint8_t n, const struct etch_paint *paint)
+{
+    count(surface, runs, n)->texture->affine(surface, y0, runs, n, paint);
+}
+
+static void count_blocks(const struct etch_surface *surface, int16_t y0,
+                         const struct etch_run *runs, uint8_t n, const struct etch_paint *paint)
+{
+    count(surface, runs, n)->texture->blocks(surface, y0, runs, n, paint);
+}
+
+static void count_exact(const struct etch_surface *surface, int16_t y0, const struct etch_run *runs,
+                        uint8_t n, const struct etch_paint *paint)
+{
+    count(surface, runs, n)->texture->exact(surface, y0, runs, n, paint);
+}
+
+void etch_scene_paint_texture(struct etch_scene_run *run,
+                              const struct etch_scene_pipeline *pipeline,
+                              const struct etch_texture_vertex *const v[3],
+                              const struct etch_texture *texture)
+{
+    static const struct etch_perspective_kernels counting = {count_affine, count_blocks,
+                                                             count_exact};
+    const struct etch_perspective_kernels *kernels = run->stats != NULL ? &counting
+                                                                        : pipeline->texture;
+    const bool depth = pipeline->ztest != 0;
+
+    run->texture = pipeline->texture;
+    if (!pipeline->perspective) {
+        (depth ? etch_triangle_texture_depth : etch_triangle_texture)(&run->surface, v, texture,
+                                                                      kernels->affine);
+    } else {
+        (depth ? etch_triangle_perspective_depth : etch_triangle_perspective)(&run->surface, v,
+                                                                              texture, kernels);
     }
 }
 

@@ -130,6 +130,10 @@ static bool read_mesh(struct etch_scene_reader *reader,
     if (step->pipeline == NULL) {
         return false;
     }
+    if (step->pipeline->texture != NULL) {
+        return etch_text_fail(&reader->text, "drawing a mesh with this \"state tex\" is not "
+                                             "supported yet");
+    }
     return etch_text_open_named(&text, path, name, &reader->text) &&
            etch_obj_read(&mesh->obj, &text) && prepare(reader, mesh);
 }

@@ -47,41 +47,30 @@ KERNELS(gequal, 1)
 KERNELS(always, 0)
 KERNELS(always, 1)
 
+#define ROW(kind, test, write, paints, paints_swapped, draws, draws_swapped)                       \
+    {                                                                                              \
+        .shade = (kind), .ztest = (test), .zwrite = (write), .painter = {paints, paints_swapped},  \
+        .kernel = {draws, draws_swapped}, .name = {                                                \
+            #draws,                                                                                \
+            #draws_swapped                                                                         \
+        }                                                                                          \
+    }
 #define FLAT_ROW(ztest, zwrite, kernel)                                                            \
-    {                                                                                              \
-        FLAT, ztest, zwrite, {etch_triangle_flat_depth, etch_triangle_flat_depth_swapped},         \
-            {kernel, kernel},                                                                      \
-        {                                                                                          \
-#kernel, #kernel                                                                       \
-        }                                                                                          \
-    }
-
+    ROW(FLAT, ztest, zwrite, etch_triangle_flat_depth, etch_triangle_flat_depth_swapped, kernel,   \
+        kernel)
 #define SMOOTH_ROW(ztest, zwrite, kernel)                                                          \
-    {                                                                                              \
-        SMOOTH, ztest, zwrite, {etch_triangle_gouraud_depth, etch_triangle_gouraud_depth},         \
-            {kernel, kernel##_swapped},                                                            \
-        {                                                                                          \
-#kernel, #kernel "_swapped"                                                            \
-        }                                                                                          \
-    }
+    ROW(SMOOTH, ztest, zwrite, etch_triangle_gouraud_depth, etch_triangle_gouraud_depth, kernel,   \
+        kernel##_swapped)
 
 #define ROWS(ztest, zwrite, test)                                                                  \
     FLAT_ROW(ztest, zwrite, flat_##test##_##zwrite),                                               \
         SMOOTH_ROW(ztest, zwrite, gouraud_##test##_##zwrite)
 
 static const struct etch_scene_pipeline table[] = {
-    {FLAT,
-     OFF,
-     0,
-     {etch_triangle_flat, etch_triangle_flat_swapped},
-     {etch_kernel_flat, etch_kernel_flat},
-     {"etch_kernel_flat", "etch_kernel_flat"}},
-    {SMOOTH,
-     OFF,
-     0,
-     {etch_triangle_gouraud, etch_triangle_gouraud},
-     {etch_kernel_gouraud, etch_kernel_gouraud_swapped},
-     {"etch_kernel_gouraud", "etch_kernel_gouraud_swapped"}},
+    ROW(FLAT, OFF, 0, etch_triangle_flat, etch_triangle_flat_swapped, etch_kernel_flat,
+        etch_kernel_flat),
+    ROW(SMOOTH, OFF, 0, etch_triangle_gouraud, etch_triangle_gouraud, etch_kernel_gouraud,
+        etch_kernel_gouraud_swapped),
     FLAT_ROW(LESS, 1, etch_kernel_flat_less),
     SMOOTH_ROW(LESS, 1, etch_kernel_gouraud_less),
     FLAT_ROW(LEQUAL, 1, etch_kernel_flat_lequal),
@@ -106,12 +95,11 @@ static const struct etch_scene_pipeline table[] = {
  * and wrap idle; persp matters to textures only. */
 static const char *beyond_table(const struct etch_scene_state *state)
 {
-    return state->blend != 0     ? "blend"
-           : state->stencil != 0 ? "stencil"
-           : state->tex != 0     ? "tex"
-           : state->atest != 0   ? "atest"
-           : state->mode != 0    ? "mode"
-                                 : NULL;
+    return state->blend != 0                     ? "blend"
+           : state->stencil != 0                 ? "stencil"
+           : state->atest != 0                   ? "atest"
+           : state->tex == 0 && state->mode != 0 ? "mode"
+                                                 : NULL;
 }
 
 const struct etch_scene_pipeline *etch_scene_pipeline_find(const struct etch_scene_state *state,
@@ -122,6 +110,9 @@ const struct etch_scene_pipeline *etch_scene_pipeline_find(const struct etch_sce
     *reason = beyond_table(state);
     if (*reason != NULL) {
         return NULL;
+    }
+    if (state->tex != 0) {
+        return etch_scene_pipeline_find_texture(state, reason);
     }
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
         if (table[i].shade == state->shade && table[i].ztest == state->ztest &&

@@ -2,6 +2,7 @@
 #ifndef ETCH_HOST_SCENE_PIPELINE_H
 #define ETCH_HOST_SCENE_PIPELINE_H
 
+#include "../../core/draw/texture.h"
 #include "../../core/draw/triangle.h"
 
 /* The state of a scene; members count the words of their statement (see scene_state.c), so 0
@@ -30,11 +31,19 @@ struct etch_scene_pipeline {
     etch_triangle_painter *painter[2];
     etch_kernel *kernel[2];
     const char *name[2]; /* of the kernels */
+
+    /* With a texture, instead of painter and kernel. */
+    const struct etch_perspective_kernels *texture; /* else NULL */
+    bool perspective;                               /* else its affine kernel is used */
 };
 
 /* The row that draws with this state. NULL if etch has none; then *reason says which statement
  * asks for more, as in "blend". */
 const struct etch_scene_pipeline *etch_scene_pipeline_find(const struct etch_scene_state *state,
                                                            const char **reason);
+
+/* The same for states with `tex` on. */
+const struct etch_scene_pipeline *
+etch_scene_pipeline_find_texture(const struct etch_scene_state *state, const char **reason);
 
 #endif

@@ -19,14 +19,21 @@
 
 struct etch_scene_step;
 
+/* A texture of the scene, in its format once it is read. */
+struct etch_scene_texture {
+    int32_t width, height;
+    uint16_t *texel; /* from malloc */
+};
+
 /* A scene while it is drawn on a surface. */
 struct etch_scene_run {
     struct etch_surface surface; /* first: the counting kernel finds the run behind it */
     struct etch_rect clip;       /* the surface's, without scissor */
     const struct etch_scene *scene;
-    struct etch_scene_stats *stats; /* NULL: nothing is counted */
-    etch_kernel *kernel;            /* what the counting kernel calls, or NULL */
-    uint16_t *scratch;              /* a colour plane, all zero, to count outlines on */
+    struct etch_scene_stats *stats;                 /* NULL: nothing is counted */
+    etch_kernel *kernel;                            /* what the counting kernel calls, or NULL */
+    const struct etch_perspective_kernels *texture; /* what those of textures call */
+    uint16_t *scratch; /* a colour plane, all zero, to count outlines on */
 };
 
 typedef void etch_scene_draw_function(struct etch_scene_run *run,
@@ -45,7 +52,8 @@ struct etch_scene_step {
         struct etch_rect clip; /* state scissor */
         struct {
             enum etch_cull cull;
-            struct etch_vertex v[3];
+            struct etch_texture_vertex v[3];
+            struct etch_texture texture; /* read if the pipeline has one */
         } triangle;
         struct {
             enum etch_cull cull;
@@ -77,6 +85,7 @@ struct etch_scene_reader {
     int frac;
     struct etch_scene_state state;
     struct etch_scene_view view;
+    const struct etch_scene_texture *texture; /* the latest, or NULL */
 };
 
 struct etch_scene_statement {
@@ -89,6 +98,15 @@ struct etch_scene_statement {
 
 bool etch_scene_read_texture(struct etch_scene_reader *reader,
                              const struct etch_scene_statement *statement);
+
+/* Describes the latest texture; false, with an error set, if there is none or it is not of a size
+ * that etch draws. */
+bool etch_scene_take_texture(struct etch_scene_reader *reader, struct etch_texture *texture);
+
+/* Brings all textures to the scene's format, once all of it is read. */
+void etch_scene_textures_finish(struct etch_scene *scene);
+
+void etch_scene_textures_free(struct etch_scene *scene);
 
 /* NULL-terminated by name. */
 extern const struct etch_scene_statement etch_scene_frame_statements[];
@@ -137,6 +155,12 @@ uint16_t etch_scene_color(const struct etch_scene_run *run, const uint8_t rgb[3]
 /* The kernel of a pipeline in the scene's format, behind the counting one if there are stats. */
 etch_kernel *etch_scene_kernel(struct etch_scene_run *run,
                                const struct etch_scene_pipeline *pipeline);
+
+/* Paints one triangle of a pipeline with a texture. */
+void etch_scene_paint_texture(struct etch_scene_run *run,
+                              const struct etch_scene_pipeline *pipeline,
+                              const struct etch_texture_vertex *const v[3],
+                              const struct etch_texture *texture);
 etch_triangle_painter *etch_scene_painter(const struct etch_scene_run *run,
                                           const struct etch_scene_pipeline *pipeline);
 
