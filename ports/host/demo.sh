@@ -35,6 +35,9 @@ printf '%-36s %9s %9s %9s %9s\n' frame triangles spans pixels 'RAM bytes'
 frame shapes "$scenes/shapes.scene"
 frame shapes-strips "$scenes/shapes.scene" --strip 16
 same shapes shapes-strips
+frame textures "$scenes/textures.scene"
+frame textures-strips "$scenes/textures.scene" --strip 16
+same textures textures-strips
 frame teapots "$scenes/teapots.scene"
 frame teapots-strips "$scenes/teapots.scene" --strip 16
 same teapots teapots-strips
