@@ -34,8 +34,12 @@
  *              ETCH_ASSERT, which is empty unless the build defines it.
  *
  * Where to go on: base/surface.h (the memory), draw/shapes.h and raster/line.h (2D),
- * draw/triangle.h (shaded triangles), draw/mesh.h (3D), base/paint.h and fragment/template.h
- * (your own pixel work). DESIGN.md beside this file says why things are as they are.
+ * draw/triangle.h and draw/texture.h (shaded and textured triangles), draw/mesh.h (3D),
+ * draw/retained.h (geometry kept over the strips of a frame), base/paint.h and
+ * fragment/template.h (your own pixel work). Functions called .._small do the same in less flash
+ * and more time; their headers, named likewise, are included by name. The loops in leaf/ replace
+ * portable files of the same functions on one architecture, with the same pixels. DESIGN.md
+ * beside this file says why things are as they are.
  */
 #ifndef ETCH_H
 #define ETCH_H
@@ -46,14 +50,18 @@
 #include "base/rgb565.h"
 #include "base/sink.h"
 #include "base/surface.h"
+#include "base/texture.h"
 #include "base/trig.h"
 #include "draw/mesh.h"
+#include "draw/retained.h"
 #include "draw/shapes.h"
+#include "draw/texture.h"
 #include "draw/triangle.h"
 #include "fragment/barycentric.h"
 #include "fragment/flat.h"
 #include "fragment/gouraud.h"
 #include "fragment/template.h"
+#include "fragment/texture.h"
 #include "raster/basis.h"
 #include "raster/circle.h"
 #include "raster/line.h"

@@ -54,7 +54,9 @@ etch_vertex_function etch_vertex_plain;
 /* The same colour, lit. A mesh without normals gets the ambient light only. */
 etch_vertex_function etch_vertex_lit;
 
-/* Prepares a stage: `transform` from the model-to-clip matrix, colour opaque white. */
+/* Prepares a stage: `transform` from the model-to-clip matrix, colour opaque white. The mesh and
+ * the lighting stay the caller's and must stay valid while the stage is used; lighting is NULL
+ * where the vertex function does not read it (etch_vertex_lit does). */
 void etch_mesh_stage_init(struct etch_mesh_stage *stage, const struct etch_mesh *mesh,
                           const struct etch_matrix *model_to_clip, etch_vertex_function *vertex,
                           const struct etch_lighting *lighting);

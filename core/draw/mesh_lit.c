@@ -7,6 +7,7 @@ void etch_vertex_lit(const struct etch_mesh_stage *stage, uint16_t index,
 {
     int8_t normal[3] = {0, 0, 0};
 
+    ETCH_ASSERT(stage->lighting != NULL);
     etch_vertex_plain(stage, index, out);
     if (stage->mesh->normals != NULL)
         etch_mesh_normal(stage->mesh, index, normal);

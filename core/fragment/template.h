@@ -150,6 +150,7 @@ ETCH_INLINE void etch_shade_runs(const struct etch_surface *s, int16_t y0,
     const uintptr_t to_pixel =
         etch_wrap_address_sub((uintptr_t)s->pixels, (uintptr_t)s->depth);
 
+    ETCH_ASSERT(passes == NULL || s->depth != NULL);
     for (int16_t y = y0; runs != end; runs++, y++, row += stride) {
         const int16_t x0 = runs->x0, x1 = runs->x1;
         uint16_t *const first = (uint16_t *)etch_wrap_address_add(row, (uintptr_t)x0 * 2);
