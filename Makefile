@@ -102,12 +102,13 @@ test: $(UNIT_TEST) $(ETCH_SIM) ## all tests that need only gcc and make
 unit: $(UNIT_TEST) ## the unit tests (SUITE=name for one suite)
 	$(Q)$(RUN) $(UNIT_TEST) $(SUITE)
 
-# Core compiled so that every store calls tests/harness/stores.c, which looks it up on the canvas;
-# gcc is told not to drop or join stores first.
-STORES := -fsanitize=thread \
-          $(if $(findstring clang,$(CC)),,-fno-tree-dse -fno-tree-loop-distribute-patterns)
+# Core compiled so that every store and every block calls tests/harness/stores.c, which looks the
+# store up on the canvas; gcc is told not to drop or join stores first. ETCH_ASSERT is on.
+STORES := -include tests/harness/assert.h -fsanitize=thread \
+          $(if $(findstring clang,$(CC)),-fsanitize-coverage=bb -fsanitize-coverage=no-prune,\
+          -fno-tree-dse -fno-tree-loop-distribute-patterns) -fsanitize-coverage=trace-pc
 .PHONY: stores
-stores: ## the unit tests with every store of core counted: no overdraw, none outside the clip
+stores: ## the unit tests with every store and block of core counted: no overdraw, none outside the clip
 	+$(Q)$(MAKE1) unit BUILD=$(BUILD)/stores DIVISOR=10 EXTRA="$(EXTRA) -DTEST_STORES=1" \
 	    CORE_EXTRA="$(STORES)"
 

@@ -5,6 +5,8 @@
 
 static void clear(const struct etch_surface *s, uint16_t *plane, uint16_t value)
 {
+    ETCH_ASSERT(plane != NULL && ((uintptr_t)plane & 1) == 0);
+
     const struct etch_rect c = s->clip;
     uint32_t width = (uint32_t)(c.x1 - c.x0), rows = (uint32_t)(c.y1 - c.y0);
 
@@ -17,11 +19,12 @@ static void clear(const struct etch_surface *s, uint16_t *plane, uint16_t value)
 
 void etch_surface_clear(const struct etch_surface *s, uint16_t color)
 {
+    ETCH_ASSERT(s != NULL);
     clear(s, s->pixels, color);
 }
 
 void etch_depth_clear(const struct etch_surface *s, uint16_t depth)
 {
-    ETCH_ASSERT(s->depth != NULL);
+    ETCH_ASSERT(s != NULL);
     clear(s, s->depth, depth);
 }

@@ -1,4 +1,5 @@
-/* tests/harness: what the instrumented core calls before each load and store. See stores.h. */
+/* tests/harness: what the instrumented core calls before each load and store, and in each block.
+ * See stores.h. */
 #include "stores.h"
 
 #include "canvas.h"
@@ -124,4 +125,21 @@ void *__tsan_memcpy(void *to, const void *from, size_t size)
     for (; size != 0; size--)
         *p++ = *f++;
     return to;
+}
+
+static uint32_t blocks;
+
+void __sanitizer_cov_trace_pc(void);
+void __sanitizer_cov_trace_pc(void)
+{
+    if (blocks < UINT32_MAX)
+        blocks++;
+}
+
+uint32_t test_blocks(void)
+{
+    const uint32_t n = blocks;
+
+    blocks = 0;
+    return n;
 }

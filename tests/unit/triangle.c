@@ -128,8 +128,8 @@ KIND(screen)
 KIND(sliver)
 KIND(tall)
 
-/* An edge 2^22 / 256 px tall that begins 1/256 px above a centre and passes it 1/2^30 px to the right:
- * the pixel is outside, by the last bit of the edge's start. */
+/* An edge 2^22 / 256 px tall that begins 1/256 px above a centre and passes it 1/2^30 px to the
+ * right: the pixel is outside, by the last bit of the edge's start. */
 static void tall_edge_just_beside_a_centre(void)
 {
     static const struct test_triangle t = {{128, 129, 2048}, {127, 127 + (INT32_C(1) << 22), 127}};
