@@ -44,6 +44,16 @@ static bool is_place(const struct outputs *all, const char *name)
     return false;
 }
 
+/* How much of a target's path its part begins with: all but what would make a name too long. */
+static int stem_size(const char *target)
+{
+    const char *slash = strrchr(target, '/');
+    const size_t folder = slash != NULL ? (size_t)(slash + 1 - target) : 0;
+    const size_t name = strlen(target + folder);
+
+    return (int)(folder + (name < 200 ? name : 200));
+}
+
 /* Creates a file of a new name beside the target, which is nobody's and will be no output's. */
 static int create_part(struct etch_output *o, const struct outputs *all)
 {
@@ -53,7 +63,7 @@ static int create_part(struct etch_output *o, const struct outputs *all)
     o->part = malloc(size);
     errno = o->part != NULL ? EEXIST : ENOMEM;
     for (int i = 0; file < 0 && errno == EEXIST && i < 100; i++) {
-        (void)snprintf(o->part, size, "%s.%d.part", o->target, i);
+        (void)snprintf(o->part, size, "%.*s.%d.part", stem_size(o->target), o->target, i);
         if (is_place(all, o->part)) {
             errno = EEXIST;
         } else {

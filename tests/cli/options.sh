@@ -103,6 +103,10 @@ sim "$a" --raw "$spare/p.0.part" --depth "$spare/p" || fail 'an output called li
 same 'an output called like a part' "$spare/p.0.part" "$out/p.565"
 same 'the output that it is called after' "$spare/p" "$out/p.z16"
 
+long=$(printf '%255s' '' | tr ' ' l)
+sim "$a" --raw "$spare/$long" || fail 'the longest name'
+same 'the longest name' "$spare/$long" "$out/p.565"
+
 # An older output stays when the scene is wrong, or when another output cannot be written.
 echo old >"$spare/old.565"
 echo old >"$out/old"
