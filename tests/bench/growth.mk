@@ -1,6 +1,7 @@
 # growth.mk: how cost grows with the size of what is drawn, on Cortex-M0+ under QEMU. Included by
 # the Makefile after bench.mk, whose objects it uses.
 
+CHECK_STEPS += growth
 GROWTH := $(BENCH)/growth
 
 $(GROWTH)/growth.elf: $(BENCH_SRC)/growth.c $(BENCH_SRC)/workloads_mesh.c $(BENCH_SRC)/start.c \
