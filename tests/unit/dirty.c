@@ -147,9 +147,69 @@ static void areas_change_what_they_cover(void)
     }
 }
 
+/* ---- memory that is drawn into directly -------------------------------------------------------- */
+
+static uint16_t memory_pixels[SIDE * (SIDE + 3)];
+static int told;
+
+static uint16_t *get_memory(const struct etch_display *d, uint16_t *stride)
+{
+    (void)d;
+    *stride = SIDE + 3;
+    return memory_pixels;
+}
+
+static int tell(const struct etch_display *d, struct etch_rect area, const uint16_t *pixels,
+                uint16_t stride)
+{
+    told += area.x0 == 0 && area.y0 == 0 && area.x1 == d->width && area.y1 == d->height &&
+            pixels == memory_pixels && stride == SIDE + 3;
+    return 0;
+}
+
+static int rest(const struct etch_display *d)
+{
+    (void)d;
+    return 0;
+}
+
+/* In memory, areas are windows at their own place, with and without a depth plane that holds only
+ * some rows; the display is told once, also if the last area is empty. */
+static void areas_are_drawn_in_place(void)
+{
+    static uint16_t depth[(SIDE + 3) * 5];
+    const struct etch_display d = {
+        .width = SIDE, .height = SIDE, .flush = tell, .wait = rest, .memory = get_memory};
+    uint32_t seed = 0xD12EC7;
+
+    for (int32_t n = 0; n < TEST_COUNT(300) && !test_failed(); n++) {
+        const struct etch_frame_memory m = {.depth = n % 2 != 0 ? depth : NULL,
+                                            .size = n % 2 != 0 ? (SIDE + 3) * 5 : 0};
+        const struct etch_rect areas[3] = {
+            random_rect(&seed, 40), random_rect(&seed, 40), {9, 9, 9, 20}};
+        const bool any = !etch_rect_is_empty(areas[0]) || !etch_rect_is_empty(areas[1]);
+        struct etch_frame frame;
+
+        for (int i = 0; i < SIDE * (SIDE + 3); i++)
+            memory_pixels[i] = 7;
+        told = 0;
+        CHECK_EQ(etch_frame_init(&frame, &d, m), 0);
+        for (struct etch_surface *s = etch_frame_begin_areas(&frame, areas, 3); s != NULL;
+             s = etch_frame_next(&frame))
+            etch_surface_clear(s, 9);
+        CHECK_EQ(etch_frame_end(&frame), 0);
+        CHECK_EQ(told, any);
+        mark(areas, 3);
+        for (int y = 0; y < SIDE; y++)
+            for (int x = 0; x < SIDE + 3; x++)
+                CHECK_EQ(memory_pixels[y * (SIDE + 3) + x], x < SIDE && field[y][x] ? 9 : 7);
+    }
+}
+
 void suite_dirty(void)
 {
     RUN(areas_cover_all_and_never_overlap);
     RUN(areas_join_where_it_pays);
     RUN(areas_change_what_they_cover);
+    RUN(areas_are_drawn_in_place);
 }
