@@ -150,7 +150,7 @@ uninit: ## the unit tests under MSan: no use of what was never written
 
 .PHONY: symbols
 symbols: ## what core and hal objects use on Cortex-M0+, AVR and rv32, at -Os and -O2
-	$(Q)sh tests/tools/symbols.sh $(BUILD)/symbols $(CORE) $(HAL)
+	$(Q)sh tests/tools/symbols.sh $(BUILD)/symbols $(CORE) $(HAL) $(sort $(wildcard ports/spi_lcd/*.c))
 
 .PHONY: includes
 includes: ## the include rules of core and hal, and no float in them

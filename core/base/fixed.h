@@ -57,7 +57,7 @@ typedef int32_t etch_q16;
 #define ETCH_Q16_ONE INT32_C(65536)
 
 /* A 16.16 constant from a fraction of integer constants, truncated; |n| <= 32767. */
-#define ETCH_Q16(n, d) ((etch_q16)((n) * INT64_C(65536) / (d)))
+#define ETCH_Q16(n, d) ((etch_q16)(INT64_C(65536) * (n) / (d)))
 
 /* ---- products, exact ----------------------------------------------------------------- */
 

@@ -27,8 +27,7 @@ struct etch_paint;
  * the raster function; a kernel finds its data behind it. Users write their own in the same
  * way: see fragment/template.h. */
 typedef void etch_kernel(const struct etch_surface *surface, int16_t y0,
-                         const struct etch_run *runs, uint8_t n,
-                         const struct etch_paint *paint);
+                         const struct etch_run *runs, uint8_t n, const struct etch_paint *paint);
 
 /* The head of every paint: the first member of a struct with the kernel's data. */
 struct etch_paint {
@@ -46,9 +45,8 @@ struct etch_plane {
 
 ETCH_INLINE uint32_t etch_plane_at(const struct etch_plane *p, int16_t x, int16_t y)
 {
-    return etch_wrap_add(p->origin,
-                         etch_wrap_add(etch_wrap_mul(p->dx, (uint32_t)(int32_t)x),
-                                       etch_wrap_mul(p->dy, (uint32_t)(int32_t)y)));
+    return etch_wrap_add(p->origin, etch_wrap_add(etch_wrap_mul(p->dx, (uint32_t)(int32_t)x),
+                                                  etch_wrap_mul(p->dy, (uint32_t)(int32_t)y)));
 }
 
 #endif

@@ -3,8 +3,8 @@
 #include "../fragment/gouraud.h"
 #include "setup.h"
 
-void etch_triangle_gouraud_depth(const struct etch_surface *s,
-                                 const struct etch_vertex *const v[3], etch_kernel *kernel)
+void etch_triangle_gouraud_depth(const struct etch_surface *s, const struct etch_vertex *const v[3],
+                                 etch_kernel *kernel)
 {
     struct etch_gouraud_paint paint;
     struct etch_triangle t;

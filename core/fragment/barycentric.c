@@ -12,8 +12,7 @@ static uint32_t weight_q16(uint32_t b_q31, uint32_t limit)
 }
 
 void etch_kernel_barycentric(const struct etch_surface *surface, int16_t y0,
-                             const struct etch_run *runs, uint8_t n,
-                             const struct etch_paint *paint)
+                             const struct etch_run *runs, uint8_t n, const struct etch_paint *paint)
 {
     const struct etch_barycentric_paint *p = (const struct etch_barycentric_paint *)paint;
 

@@ -10,11 +10,11 @@ typedef uint16_t etch_barycentric_function(void *context, int16_t x, int16_t y,
                                            const uint32_t b_q16[3]);
 
 struct etch_barycentric_paint {
-    struct etch_paint paint;        /* .kernel = etch_kernel_barycentric */
-    struct etch_plane b[2];         /* weights of the sorted vertices 0 and 1, 1.31 */
-    uint8_t order[3];               /* from the triangle's set-up */
+    struct etch_paint paint; /* .kernel = etch_kernel_barycentric */
+    struct etch_plane b[2];  /* weights of the sorted vertices 0 and 1, 1.31 */
+    uint8_t order[3];        /* from the triangle's set-up */
     etch_barycentric_function *color;
-    void *context;                  /* the caller's, passed on */
+    void *context; /* the caller's, passed on */
 };
 
 /* Calls paint->color for every pixel and writes what it returns. Each of the first two sorted

@@ -23,9 +23,9 @@ ETCH_INLINE uint16_t gouraud_pack_swapped(uint32_t r, uint32_t g, uint32_t b)
     return etch_rgb565_swap(gouraud_pack(r, g, b));
 }
 
-ETCH_INLINE void gouraud_rows(const struct etch_surface *s, int16_t y0,
-                              const struct etch_run *runs, uint8_t n,
-                              const struct etch_gouraud_paint *p, etch_gouraud_pack *pack)
+ETCH_INLINE void gouraud_rows(const struct etch_surface *s, int16_t y0, const struct etch_run *runs,
+                              uint8_t n, const struct etch_gouraud_paint *p,
+                              etch_gouraud_pack *pack)
 {
     const struct etch_run *const end = runs + n;
     const uintptr_t stride = (uintptr_t)s->stride * 2;

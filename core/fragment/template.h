@@ -130,7 +130,8 @@ ETCH_INLINE void etch_shade_depth_run(uint16_t *stored, uintptr_t to_pixel, int1
         do {
             if (writes)
                 *stored = (uint16_t)(z >> 16);
-            *(uint16_t *)etch_wrap_address_add((uintptr_t)stored, to_pixel) = shader.color(&f, paint);
+            *(uint16_t *)etch_wrap_address_add((uintptr_t)stored, to_pixel) = shader.color(&f,
+                                                                                           paint);
             shader.step(&f, paint);
             z = etch_wrap_add(z, dz);
             stored++;
@@ -147,8 +148,7 @@ ETCH_INLINE void etch_shade_runs(const struct etch_surface *s, int16_t y0,
     const struct etch_run *const end = runs + n;
     const uintptr_t stride = (uintptr_t)s->stride * 2;
     uintptr_t row = etch_surface_row(s, passes != NULL ? s->depth : s->pixels, y0);
-    const uintptr_t to_pixel =
-        etch_wrap_address_sub((uintptr_t)s->pixels, (uintptr_t)s->depth);
+    const uintptr_t to_pixel = etch_wrap_address_sub((uintptr_t)s->pixels, (uintptr_t)s->depth);
 
     ETCH_ASSERT(passes == NULL || s->depth != NULL);
     for (int16_t y = y0; runs != end; runs++, y++, row += stride) {
@@ -169,11 +169,11 @@ ETCH_INLINE void etch_shade_runs(const struct etch_surface *s, int16_t y0,
 }
 
 /* Defines the kernel `name`. */
-#define ETCH_KERNEL(name, shader, passes, writes)                                               \
-    void name(const struct etch_surface *surface, int16_t y0, const struct etch_run *runs,      \
-              uint8_t n, const struct etch_paint *paint)                                        \
-    {                                                                                           \
-        etch_shade_runs(surface, y0, runs, n, paint, shader, passes, writes);                   \
+#define ETCH_KERNEL(name, shader, passes, writes)                                                  \
+    void name(const struct etch_surface *surface, int16_t y0, const struct etch_run *runs,         \
+              uint8_t n, const struct etch_paint *paint)                                           \
+    {                                                                                              \
+        etch_shade_runs(surface, y0, runs, n, paint, shader, passes, writes);                      \
     }
 
 #endif

@@ -32,7 +32,8 @@ static void channel(struct etch_plane *plane, const struct etch_basis *b, int32_
     if ((b->fx | b->fy) != 0) {
         const int32_t low = (hx & 255) * b->fx + (hy & 255) * b->fy;
 
-        v = etch_wrap_add(v, etch_wrap_scale((hx >> 8) * b->fx + (hy >> 8) * b->fy + (low >> 8), s));
+        v = etch_wrap_add(v,
+                          etch_wrap_scale((hx >> 8) * b->fx + (hy >> 8) * b->fy + (low >> 8), s));
     }
     v = etch_wrap_sub(v, etch_wrap_mul(dx, (uint32_t)b->ax));
     plane->origin = etch_wrap_sub(v, etch_wrap_mul(dy, (uint32_t)b->ay));

@@ -42,8 +42,7 @@ static void mirror(int8_t sign, int32_t centre, int32_t *lo, int32_t *hi)
 }
 
 /* Cuts an octant to the clip. */
-static void octant_clip(struct octant *o, struct etch_rect clip, int16_t cx, int16_t cy,
-                        int32_t r)
+static void octant_clip(struct octant *o, struct etch_rect clip, int16_t cx, int16_t cy, int32_t r)
 {
     int32_t x_lo = o->swapped ? clip.y0 : clip.x0, x_hi = (o->swapped ? clip.y1 : clip.x1) - 1;
     int32_t y_lo = o->swapped ? clip.x0 : clip.y0, y_hi = (o->swapped ? clip.x1 : clip.y1) - 1;
@@ -132,8 +131,8 @@ void etch_circle_draw(const struct etch_surface *s, int16_t cx, int16_t cy, int1
     const bool diagonal = (int32_t)r * r <= 2 * end * end + end; /* y(end) = end: one pixel */
 
     for (uint8_t i = 0; i < 8; i++) {
-        struct octant o = {(int8_t)((i & 1) ? -1 : 1), (int8_t)((i & 2) ? -1 : 1), (i & 4) != 0,
-                           0, end};
+        struct octant o = {(int8_t)((i & 1) ? -1 : 1), (int8_t)((i & 2) ? -1 : 1), (i & 4) != 0, 0,
+                           end};
 
         if ((o.swapped ? o.sy : o.sx) < 0)
             o.from = 1; /* x = 0 belongs to the other sign */

@@ -13,10 +13,10 @@
 
 /* A line in walking order, and the part of it to draw. */
 struct walk {
-    int16_t u0, v0;     /* the end with the smaller u */
+    int16_t u0, v0; /* the end with the smaller u */
     uint16_t du, dv;
-    int8_t sv;          /* v grows or falls */
-    uint16_t from, to;  /* first and last k */
+    int8_t sv;         /* v grows or falls */
+    uint16_t from, to; /* first and last k */
 };
 
 /* Cuts the walk to u_lo .. u_hi - 1 and v_lo .. v_hi - 1; false if nothing is left. */
@@ -89,8 +89,8 @@ static void line(const struct etch_surface *s, struct etch_point a, struct etch_
     const uint32_t m = w.du != 0 && w.from != 0 ? at / w.du : 0;
     const int16_t u = (int16_t)((int32_t)w.u0 + w.from);
     const int16_t v = (int16_t)(w.sv > 0 ? w.v0 + (int32_t)m : w.v0 - (int32_t)m);
-    uint16_t *const pixel = s->pixels + (steep ? etch_surface_index(s, v, u)
-                                               : etch_surface_index(s, u, v));
+    uint16_t *const pixel = s->pixels +
+                            (steep ? etch_surface_index(s, v, u) : etch_surface_index(s, u, v));
     const ptrdiff_t row = (ptrdiff_t)s->stride;
     const ptrdiff_t along = steep ? row : 1;
     const ptrdiff_t aside = along + (steep ? w.sv : w.sv > 0 ? row : -row);

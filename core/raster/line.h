@@ -20,10 +20,8 @@ void etch_line_draw(const struct etch_surface *s, int16_t x0, int16_t y0, int16_
 void etch_point_draw(const struct etch_surface *s, int16_t x, int16_t y, uint16_t color);
 
 /* w pixels from (x, y) to the right, h pixels from (x, y) down; w, h <= 0 draw nothing. */
-void etch_hline_draw(const struct etch_surface *s, int16_t x, int16_t y, int16_t w,
-                     uint16_t color);
-void etch_vline_draw(const struct etch_surface *s, int16_t x, int16_t y, int16_t h,
-                     uint16_t color);
+void etch_hline_draw(const struct etch_surface *s, int16_t x, int16_t y, int16_t w, uint16_t color);
+void etch_vline_draw(const struct etch_surface *s, int16_t x, int16_t y, int16_t h, uint16_t color);
 
 struct etch_point {
     int16_t x, y;

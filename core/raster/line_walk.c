@@ -8,8 +8,8 @@ struct pen {
 };
 
 /* Two pixels on. With 2 dv <= du at most one of two steps goes aside: one decision for both. */
-ETCH_INLINE void two_steps(struct pen *pen, ptrdiff_t along, ptrdiff_t aside, int32_t du, int32_t dv,
-                           uint16_t color)
+ETCH_INLINE void two_steps(struct pen *pen, ptrdiff_t along, ptrdiff_t aside, int32_t du,
+                           int32_t dv, uint16_t color)
 {
     uint16_t *p = pen->p;
     int32_t e = pen->e + 2 * dv;

@@ -3,22 +3,18 @@
 #include "../base/fill.h"
 #include "line.h"
 
-void etch_hline_draw(const struct etch_surface *s, int16_t x, int16_t y, int16_t w,
-                     uint16_t color)
+void etch_hline_draw(const struct etch_surface *s, int16_t x, int16_t y, int16_t w, uint16_t color)
 {
-    const struct etch_rect r =
-        etch_rect_intersect(etch_rect_from_size(x, y, w, 1), s->clip);
+    const struct etch_rect r = etch_rect_intersect(etch_rect_from_size(x, y, w, 1), s->clip);
 
     if (!etch_rect_is_empty(r))
         etch_fill_rows(s->pixels + etch_surface_index(s, r.x0, r.y0), (uint32_t)(r.x1 - r.x0),
                        color, 1, 0);
 }
 
-void etch_vline_draw(const struct etch_surface *s, int16_t x, int16_t y, int16_t h,
-                     uint16_t color)
+void etch_vline_draw(const struct etch_surface *s, int16_t x, int16_t y, int16_t h, uint16_t color)
 {
-    const struct etch_rect r =
-        etch_rect_intersect(etch_rect_from_size(x, y, 1, h), s->clip);
+    const struct etch_rect r = etch_rect_intersect(etch_rect_from_size(x, y, 1, h), s->clip);
     uint16_t *p;
 
     if (etch_rect_is_empty(r))

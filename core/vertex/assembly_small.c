@@ -70,8 +70,8 @@ static ETCH_COLD void scale_up(struct etch_clip_vertex *v)
 }
 
 /* The part of from[0 .. n-1] inside of plane i. */
-static ETCH_COLD uint8_t clip(struct etch_clip_vertex *to, const struct etch_clip_vertex *from, uint8_t n,
-                    uint8_t i, uint8_t shift)
+static ETCH_COLD uint8_t clip(struct etch_clip_vertex *to, const struct etch_clip_vertex *from,
+                              uint8_t n, uint8_t i, uint8_t shift)
 {
     const struct etch_clip_vertex *a = &from[n - 1];
     int64_t da = inside(a, i, shift);
@@ -92,7 +92,7 @@ static ETCH_COLD uint8_t clip(struct etch_clip_vertex *to, const struct etch_cli
 }
 
 static ETCH_COLD void emit(const struct etch_assembly *assembly, const struct etch_vertex *a,
-                 const struct etch_vertex *b, const struct etch_vertex *c)
+                           const struct etch_vertex *b, const struct etch_vertex *c)
 {
     const struct etch_vertex *const v[3] = {a, b, c};
     const int64_t area = etch_mul_s32(b->x_q8 - a->x_q8, c->y_q8 - a->y_q8) -

@@ -1,12 +1,12 @@
 /* ports/host/panel.h: a simulated panel. Takes the bytes of a bus, keeps the controller's memory,
- * tells what the glass shows, and refuses what the data sheet forbids.
+ * tells what the glass shows, and refuses what the controller does not allow.
  *
  *      etch_panel_open(&panel, etch_panel_find("ili9341"))
  *      reset, select, command, data ..         by panel_bus.h, or by your own driver's mock of SPI
  *      panel.error[0] != 0                     something was illegal: a sentence
  *      etch_panel_view(&panel, turn, x, y)     0xRRGGBB, as a viewer sees frame pixel (x, y)
  *
- * It is written from the data sheets alone and shares no table with ports/spi_lcd. Refused: data
+ * It is written apart from the drivers and shares no table with ports/spi_lcd. Refused: data
  * or commands without select, data that no command asked for, a wrong number of parameters, half
  * a pixel, a window outside the memory or upside down, more pixels than the window holds, pixels
  * in a format that the controller does not take, commands too soon after reset or waking up, and

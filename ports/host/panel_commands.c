@@ -1,6 +1,5 @@
 /* ports/host/panel_commands.c: the commands of the simulated controllers. panel.c calls it with
- * each that is complete. Counts of parameters from the data sheets of ILI9341 V1.11, ST7735 V1.4,
- * ST7789 V1.4, SSD1351 1.5, SSD1306 1.1, SSD0323 1.9. */
+ * each that is complete. Counts of parameters as public drivers of these controllers send them. */
 #include "panel.h"
 
 #include <string.h>

@@ -1,6 +1,6 @@
 /* ports/spi_lcd/gc9a01.c: GC9A01, round glasses of 240 x 240. Tables for lcd.c. The corners are
- * sent like the rest and fall outside the glass. Values: the maker's start-up list, most of whose
- * registers its data sheet V1.0 does not explain. */
+ * sent like the rest and fall outside the glass. Values: the
+ * start-up list that public drivers share, most of whose registers are not documented. */
 #include "panels.h"
 
 /* clang-format off */

@@ -1,5 +1,5 @@
-/* ports/spi_lcd/ili9341.c: ILI9341, 240 x 320. Tables for lcd.c. Values: Ilitek's data sheet
- * V1.11; power and gamma as module makers set them. */
+/* ports/spi_lcd/ili9341.c: ILI9341, 240 x 320. Tables for lcd.c. Values as public drivers set
+ * them; power and gamma vary by module. */
 #include "panels.h"
 
 /* clang-format off */

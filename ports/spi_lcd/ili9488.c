@@ -1,5 +1,5 @@
 /* ports/spi_lcd/ili9488.c: ILI9488, 320 x 480, which takes 18 bits a pixel on SPI. Tables for
- * lcd.c. Values: Ilitek's data sheet V1.00; power and gamma as module makers set them. */
+ * lcd.c. Values as public drivers set them; power and gamma vary by module. */
 #include "panels.h"
 
 /* clang-format off */

@@ -1,5 +1,5 @@
 /* ports/spi_lcd/ssd0323.c: SSD0323, OLED of 128 x 64 with 16 grey levels. Tables for lcd.c.
- * Values: Solomon Systech's data sheet rev 1.9. A byte is two pixels of a row; addresses always
+ * Values as public drivers set them. A byte is two pixels of a row; addresses always
  * name the memory, and flipping the columns exchanges the pixels of a byte, too. */
 #include "panels.h"
 

@@ -1,5 +1,5 @@
-/* ports/spi_lcd/ssd1306.c: SSD1306, black-and-white OLED of 128 columns. Tables for lcd.c. Values:
- * Solomon Systech's data sheet rev 1.1. A byte is 8 rows of a column; addresses always name the
+/* ports/spi_lcd/ssd1306.c: SSD1306, black-and-white OLED of 128 columns. Tables for lcd.c. Values as
+ * public drivers set them. A byte is 8 rows of a column; addresses always name the
  * memory. */
 #include "panels.h"
 

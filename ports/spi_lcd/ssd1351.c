@@ -1,5 +1,5 @@
-/* ports/spi_lcd/ssd1351.c: SSD1351, colour OLED of 128 x 128. Tables for lcd.c. Values: Solomon
- * Systech's data sheet rev 1.5. Addresses always name the memory; a turned frame is written with
+/* ports/spi_lcd/ssd1351.c: SSD1351, colour OLED of 128 x 128. Tables for lcd.c. Values as
+ * public drivers set them. Addresses always name the memory; a turned frame is written with
  * the rows counted first. */
 #include "panels.h"
 

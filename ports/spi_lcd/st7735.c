@@ -1,6 +1,6 @@
 /* ports/spi_lcd/st7735.c: ST7735R and ST7735S. Tables for lcd.c. Their memory is 132 x 162, 132 x
- * 132 or 128 x 160, as three pins of the chip say. Values: Sitronix' data sheet V1.4, with frame
- * rate, power and gamma as module makers set them. */
+ * 132 or 128 x 160, as three pins of the chip say. Values as public drivers set
+ * them; frame rate, power and gamma vary by module. */
 #include "panels.h"
 
 /* clang-format off */

@@ -1,5 +1,5 @@
 /* ports/spi_lcd/st7789.c: ST7789, whose memory of 240 x 320 serves glasses of several sizes.
- * Tables for lcd.c. Values: Sitronix' data sheet V1.4, most of them the reset values. */
+ * Tables for lcd.c. Values as public drivers set them, most of them the reset values. */
 #include "panels.h"
 
 /* clang-format off */

@@ -19,11 +19,11 @@ struct expected {
 
 /* One picture: what was drawn, and what should have been. */
 struct check {
-    const uint16_t *color, *depth;          /* as etch drew it */
-    struct expected expected[WL_H][WL_W];   /* workloads without depth: the last one wins */
-    int64_t least[WL_H][WL_W];              /* with depth: least exact depth, 1/65536 unit */
-    bool matched[WL_H][WL_W];               /* a triangle of that depth has the colour drawn */
-    uint32_t primitives, pixels;            /* found on the way, of all frames */
+    const uint16_t *color, *depth;        /* as etch drew it */
+    struct expected expected[WL_H][WL_W]; /* workloads without depth: the last one wins */
+    int64_t least[WL_H][WL_W];            /* with depth: least exact depth, 1/65536 unit */
+    bool matched[WL_H][WL_W];             /* a triangle of that depth has the colour drawn */
+    uint32_t primitives, pixels;          /* found on the way, of all frames */
 };
 
 #define CHECK_FAR INT64_MAX
@@ -52,8 +52,7 @@ bool check_torus(struct check *c, uint8_t frame);
 
 /* The triangle over the pixels it covers, in the flat channels (1/65536 step) if not NULL;
  * `pass` 0: expected; 1: least; 2: matched. */
-void check_triangle(struct check *c, const struct check_vertex v[3], const int32_t *flat,
-                    int pass);
+void check_triangle(struct check *c, const struct check_vertex v[3], const int32_t *flat, int pass);
 
 /* True if an RGB565 colour lies within the tolerance of the exact channels. */
 bool check_color(uint16_t color, const int32_t exact[3]);

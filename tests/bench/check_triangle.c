@@ -70,8 +70,7 @@ static int32_t least_of(int32_t a, int32_t b, int32_t d)
     return m < d ? m : d;
 }
 
-void check_triangle(struct check *c, const struct check_vertex v[3], const int32_t *flat,
-                    int pass)
+void check_triangle(struct check *c, const struct check_vertex v[3], const int32_t *flat, int pass)
 {
     const int64_t area = edge(&v[0], &v[1], v[2].x_q8, v[2].y_q8);
     const struct check_vertex *const t[3] = {&v[0], area > 0 ? &v[1] : &v[2],
@@ -129,7 +128,9 @@ void check_triangles(struct check *c, int workload)
             for (int k = 0; k < 3; k++) {
                 const wl_tri *t = &list[i];
                 const struct check_vertex p = {
-                    t->x[k] * 256 + 128, t->y[k] * 256 + 128, (uint32_t)t->z[k] << 16,
+                    t->x[k] * 256 + 128,
+                    t->y[k] * 256 + 128,
+                    (uint32_t)t->z[k] << 16,
                     {(uint8_t)wl_r8(t->c[k]), (uint8_t)wl_g8(t->c[k]), (uint8_t)wl_b8(t->c[k])}};
                 v[k] = p;
             }

@@ -11,8 +11,7 @@
 #define WORDS 20000
 
 int main(void);
-void portable_etch_fill_rows(uint16_t *p, uint32_t n, uint16_t value, uint32_t rows,
-                             size_t stride);
+void portable_etch_fill_rows(uint16_t *p, uint32_t n, uint16_t value, uint32_t rows, size_t stride);
 void portable_etch_line_walk(uint16_t *p, uint32_t n, ptrdiff_t along, ptrdiff_t aside, int32_t e,
                              int32_t du, int32_t dv, uint16_t color);
 etch_kernel portable_etch_kernel_flat, portable_etch_kernel_gouraud;

@@ -171,8 +171,7 @@ static void write_counts(qemu_plugin_id_t id, void *data)
     }
     for (const struct block *b = blocks; b != NULL; b = b->next)
         for (size_t i = 0; b->count != 0 && i < b->length; i++) {
-            const uint64_t taken =
-                i + 1 == b->length && b->insn[i].conditional ? b->taken : 0;
+            const uint64_t taken = i + 1 == b->length && b->insn[i].conditional ? b->taken : 0;
             fprintf(f, "%x %llu %llu %llu\n", b->insn[i].address, (unsigned long long)b->count,
                     (unsigned long long)taken,
                     (unsigned long long)(b->count * b->insn[i].cycles + taken));

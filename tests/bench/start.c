@@ -18,8 +18,15 @@ static int32_t semihost(int32_t operation, const void *argument)
     return r0;
 }
 
-enum { SYS_OPEN = 1, SYS_CLOSE = 2, SYS_WRITE = 5, SYS_EXIT_EXTENDED = 0x20 };
-enum { MODE_WRITE_BINARY = 5 };
+enum {
+    SYS_OPEN = 1,
+    SYS_CLOSE = 2,
+    SYS_WRITE = 5,
+    SYS_EXIT_EXTENDED = 0x20
+};
+enum {
+    MODE_WRITE_BINARY = 5
+};
 
 void bench_write(const char *name, const void *data, uint32_t bytes)
 {

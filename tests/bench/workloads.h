@@ -23,47 +23,78 @@
 #define WL_W 320
 #define WL_H 240
 
-#define WL_NRECT   1000
-#define WL_NLINE   2000
-#define WL_NCIRC    500
-#define WL_NSMALL  2000
-#define WL_NBIG     100
-#define WL_NGLYPH  2000
-#define WL_TEXN      64     /* texture is WL_TEXN x WL_TEXN */
-#define WL_NFRAME     4     /* frames of the mesh workload */
-#define WL_TORUS_A   32
-#define WL_TORUS_B   32
+#define WL_NRECT 1000
+#define WL_NLINE 2000
+#define WL_NCIRC 500
+#define WL_NSMALL 2000
+#define WL_NBIG 100
+#define WL_NGLYPH 2000
+#define WL_TEXN 64  /* texture is WL_TEXN x WL_TEXN */
+#define WL_NFRAME 4 /* frames of the mesh workload */
+#define WL_TORUS_A 32
+#define WL_TORUS_B 32
 #define WL_TORUS_NV (WL_TORUS_A * WL_TORUS_B)
 #define WL_TORUS_NT (2 * WL_TORUS_NV)
 
 enum {
-    WL_CLEAR = 1, WL_RECT, WL_LINE, WL_CIRCLE, WL_DISC,
-    WL_SMALL_FLAT, WL_BIG_FLAT, WL_SMALL_GOURAUD, WL_BIG_GOURAUD,
-    WL_BIG_FLAT_Z, WL_BIG_GOURAUD_Z, WL_BIG_TEX, WL_BIG_TEXP_Z,
-    WL_TEXT, WL_MESH
+    WL_CLEAR = 1,
+    WL_RECT,
+    WL_LINE,
+    WL_CIRCLE,
+    WL_DISC,
+    WL_SMALL_FLAT,
+    WL_BIG_FLAT,
+    WL_SMALL_GOURAUD,
+    WL_BIG_GOURAUD,
+    WL_BIG_FLAT_Z,
+    WL_BIG_GOURAUD_Z,
+    WL_BIG_TEX,
+    WL_BIG_TEXP_Z,
+    WL_TEXT,
+    WL_MESH
 };
 
-typedef struct { int16_t x, y, w, h; uint16_t c; } wl_rect;
-typedef struct { int16_t x0, y0, x1, y1; uint16_t c; } wl_line;
-typedef struct { int16_t x, y, r; uint16_t c; } wl_circ;
-typedef struct { int16_t x, y; uint16_t c; uint8_t ch; } wl_glyph;
 typedef struct {
-    int16_t  x[3], y[3];    /* screen, pixels */
-    uint16_t z[3];          /* 16-bit depth, 0 = near; linear on screen */
-    uint16_t c[3];          /* RGB565 per vertex; flat colour is c[0] */
-    uint8_t  u[3], v[3];    /* texels, 0..WL_TEXN-1 */
-    uint16_t w[3];          /* view-space depth for the perspective workload */
+    int16_t x, y, w, h;
+    uint16_t c;
+} wl_rect;
+typedef struct {
+    int16_t x0, y0, x1, y1;
+    uint16_t c;
+} wl_line;
+typedef struct {
+    int16_t x, y, r;
+    uint16_t c;
+} wl_circ;
+typedef struct {
+    int16_t x, y;
+    uint16_t c;
+    uint8_t ch;
+} wl_glyph;
+typedef struct {
+    int16_t x[3], y[3]; /* screen, pixels */
+    uint16_t z[3];      /* 16-bit depth, 0 = near; linear on screen */
+    uint16_t c[3];      /* RGB565 per vertex; flat colour is c[0] */
+    uint8_t u[3], v[3]; /* texels, 0..WL_TEXN-1 */
+    uint16_t w[3];      /* view-space depth for the perspective workload */
 } wl_tri;
 
-typedef struct { int16_t x, y, z; uint16_t c; } wl_vert;
-typedef struct { uint16_t v[3]; } wl_face;
+typedef struct {
+    int16_t x, y, z;
+    uint16_t c;
+} wl_vert;
+typedef struct {
+    uint16_t v[3];
+} wl_face;
 
 /* ---- generator ---------------------------------------------------------- */
 
 static inline uint32_t wl_next(uint32_t *s)
 {
     uint32_t x = *s;
-    x ^= x << 13; x ^= x >> 17; x ^= x << 5;
+    x ^= x << 13;
+    x ^= x >> 17;
+    x ^= x << 5;
     return *s = x;
 }
 
@@ -76,8 +107,8 @@ static inline int32_t wl_range(uint32_t *s, int32_t lo, int32_t hi)
 
 static inline uint16_t wl_rgb(int32_t r, int32_t g, int32_t b)
 {
-    return (uint16_t)(((uint32_t)(r & 0xF8) << 8) | ((uint32_t)(g & 0xFC) << 3)
-                      | ((uint32_t)b >> 3));
+    return (uint16_t)(((uint32_t)(r & 0xF8) << 8) | ((uint32_t)(g & 0xFC) << 3) |
+                      ((uint32_t)b >> 3));
 }
 
 static inline uint16_t wl_color(uint32_t *s)
@@ -87,9 +118,18 @@ static inline uint16_t wl_color(uint32_t *s)
     return wl_rgb(r, g, b);
 }
 
-static inline int wl_r8(uint16_t c) { return (c >> 8) & 0xF8; }
-static inline int wl_g8(uint16_t c) { return (c >> 3) & 0xFC; }
-static inline int wl_b8(uint16_t c) { return (c << 3) & 0xF8; }
+static inline int wl_r8(uint16_t c)
+{
+    return (c >> 8) & 0xF8;
+}
+static inline int wl_g8(uint16_t c)
+{
+    return (c >> 3) & 0xFC;
+}
+static inline int wl_b8(uint16_t c)
+{
+    return (c << 3) & 0xF8;
+}
 
 /* ---- 2D lists ----------------------------------------------------------- */
 
@@ -145,15 +185,14 @@ static inline void wl_make_glyphs(wl_glyph *o)
 
 static inline int32_t wl_area2(const int16_t *x, const int16_t *y)
 {
-    return (int32_t)(x[1] - x[0]) * (y[2] - y[0])
-         - (int32_t)(x[2] - x[0]) * (y[1] - y[0]);
+    return (int32_t)(x[1] - x[0]) * (y[2] - y[0]) - (int32_t)(x[2] - x[0]) * (y[1] - y[0]);
 }
 
 /* twice the area is kept in lo2..hi2; box limits how far apart vertices are */
-static inline void wl_make_tris(wl_tri *o, int n, uint32_t s, int bw, int bh,
-                                int32_t lo2, int32_t hi2)
+static inline void wl_make_tris(wl_tri *o, int n, uint32_t s, int bw, int bh, int32_t lo2,
+                                int32_t hi2)
 {
-    for (int i = 0; i < n; ) {
+    for (int i = 0; i < n;) {
         wl_tri *t = &o[i];
         int ox = (int)wl_range(&s, 0, WL_W - bw);
         int oy = (int)wl_range(&s, 0, WL_H - bh);
@@ -163,11 +202,16 @@ static inline void wl_make_tris(wl_tri *o, int n, uint32_t s, int bw, int bh,
         }
         int32_t a = wl_area2(t->x, t->y);
         if (a < 0) {
-            int16_t q = t->x[1]; t->x[1] = t->x[2]; t->x[2] = q;
-            q = t->y[1]; t->y[1] = t->y[2]; t->y[2] = q;
+            int16_t q = t->x[1];
+            t->x[1] = t->x[2];
+            t->x[2] = q;
+            q = t->y[1];
+            t->y[1] = t->y[2];
+            t->y[2] = q;
             a = -a;
         }
-        if (a < lo2 || a > hi2) continue;
+        if (a < lo2 || a > hi2)
+            continue;
         int32_t wbase = wl_range(&s, 256, 1023);
         for (int k = 0; k < 3; k++) {
             t->z[k] = (uint16_t)wl_range(&s, 1000, 64000);
@@ -197,8 +241,7 @@ static inline void wl_make_texture(uint16_t *t)
 {
     for (int y = 0; y < WL_TEXN; y++)
         for (int x = 0; x < WL_TEXN; x++)
-            t[y * WL_TEXN + x] = wl_rgb(48 + x * 3, 48 + y * 3,
-                                        48 + ((x ^ y) & 63) * 3);
+            t[y * WL_TEXN + x] = wl_rgb(48 + x * 3, 48 + y * 3, 48 + ((x ^ y) & 63) * 3);
 }
 
 /* ---- mesh --------------------------------------------------------------- */
@@ -209,7 +252,8 @@ static inline int32_t wl_sin(int32_t a)
     a &= 1023;
     int neg = a >= 512;
     a &= 511;
-    if (a > 256) a = 512 - a;
+    if (a > 256)
+        a = 512 - a;
     int32_t z = a << 6, z2 = z * z >> 14;
     /* (pi/2) z - (pi - 5/2) z^3 + (pi/2 - 3/2) z^5, coefficients Q14 */
     int32_t p = 10512 - (1160 * z2 >> 14);
@@ -217,14 +261,17 @@ static inline int32_t wl_sin(int32_t a)
     p = p * z >> 14;
     return neg ? -p : p;
 }
-static inline int32_t wl_cos(int32_t a) { return wl_sin(a + 256); }
+static inline int32_t wl_cos(int32_t a)
+{
+    return wl_sin(a + 256);
+}
 
-#define WL_TORUS_R  1000    /* object units */
-#define WL_TORUS_r   400
-#define WL_CAM_DIST 3500    /* camera to object centre, object units */
-#define WL_FOCAL     240    /* pixels */
-#define WL_NEAR      500
-#define WL_FAR      8000
+#define WL_TORUS_R 1000 /* object units */
+#define WL_TORUS_r 400
+#define WL_CAM_DIST 3500 /* camera to object centre, object units */
+#define WL_FOCAL 240     /* pixels */
+#define WL_NEAR 500
+#define WL_FAR 8000
 
 /* Right-handed object space; faces counter-clockwise seen from outside. */
 static inline void wl_make_torus(wl_vert *v, wl_face *f)
@@ -239,8 +286,7 @@ static inline void wl_make_torus(wl_vert *v, wl_face *f)
             p->y = (int16_t)(d * sa >> 14);
             p->z = (int16_t)(WL_TORUS_r * sb >> 14);
             int32_t nx = cb * ca >> 14, ny = cb * sa >> 14;
-            p->c = wl_rgb(147 + (nx * 100 >> 14), 147 + (ny * 100 >> 14),
-                          147 + (sb * 100 >> 14));
+            p->c = wl_rgb(147 + (nx * 100 >> 14), 147 + (ny * 100 >> 14), 147 + (sb * 100 >> 14));
         }
     for (int i = 0; i < WL_TORUS_A; i++)
         for (int j = 0; j < WL_TORUS_B; j++) {
@@ -250,8 +296,12 @@ static inline void wl_make_torus(wl_vert *v, wl_face *f)
             uint16_t c = (uint16_t)(i1 * WL_TORUS_B + j1);
             uint16_t d = (uint16_t)(i * WL_TORUS_B + j1);
             wl_face *q = &f[2 * (i * WL_TORUS_B + j)];
-            q[0].v[0] = a; q[0].v[1] = b; q[0].v[2] = c;
-            q[1].v[0] = a; q[1].v[1] = c; q[1].v[2] = d;
+            q[0].v[0] = a;
+            q[0].v[1] = b;
+            q[0].v[2] = c;
+            q[1].v[0] = a;
+            q[1].v[1] = c;
+            q[1].v[2] = d;
         }
 }
 
@@ -262,9 +312,15 @@ static inline void wl_frame_matrix(int k, int32_t m[9])
 {
     int32_t cx = wl_cos(120 + 70 * k), sx = wl_sin(120 + 70 * k);
     int32_t cy = wl_cos(40 + 90 * k), sy = wl_sin(40 + 90 * k);
-    m[0] = cy;            m[1] = 0;   m[2] = sy;
-    m[3] = sx * sy >> 14; m[4] = cx;  m[5] = -(sx * cy >> 14);
-    m[6] = -(cx * sy >> 14); m[7] = sx; m[8] = cx * cy >> 14;
+    m[0] = cy;
+    m[1] = 0;
+    m[2] = sy;
+    m[3] = sx * sy >> 14;
+    m[4] = cx;
+    m[5] = -(sx * cy >> 14);
+    m[6] = -(cx * sy >> 14);
+    m[7] = sx;
+    m[8] = cx * cy >> 14;
 }
 
 /* ---- coverage mesh ------------------------------------------------------ */
@@ -288,28 +344,34 @@ static inline void wl_make_cover_mesh(uint32_t *s, wl_tri *o)
         for (int i = 0; i <= WL_COVN; i++)
             for (int j = 0; j <= WL_COVN; j++) {
                 int jx = (int)wl_range(s, -7, 7), jy = (int)wl_range(s, -7, 7);
-                if (j == 0 || j == WL_COVN) jx = 0;
-                if (i == 0 || i == WL_COVN) jy = 0;
+                if (j == 0 || j == WL_COVN)
+                    jx = 0;
+                if (i == 0 || i == WL_COVN)
+                    jy = 0;
                 px[i][j] = (int16_t)(WL_COVX + j * WL_COVC + jx);
                 py[i][j] = (int16_t)(WL_COVX + i * WL_COVC + jy);
             }
         for (int i = 0; i < WL_COVN; i++)
             for (int j = 0; j < WL_COVN; j++) {
-                static const uint8_t q[2][6] = { { 0, 1, 3, 0, 3, 2 },
-                                                 { 0, 1, 2, 1, 3, 2 } };
+                static const uint8_t q[2][6] = {{0, 1, 3, 0, 3, 2}, {0, 1, 2, 1, 3, 2}};
                 const uint8_t *d = q[diag >> (i * WL_COVN + j) & 1];
                 for (int t = 0; t < 2; t++, n++) {
                     for (int k = 0; k < 3; k++) {
                         int c = d[t * 3 + k];
                         o[n].x[k] = px[i + (c >> 1)][j + (c & 1)];
                         o[n].y[k] = py[i + (c >> 1)][j + (c & 1)];
-                        o[n].z[k] = 32000; o[n].c[k] = 0xFFFF;
-                        o[n].u[k] = 0; o[n].v[k] = 0; o[n].w[k] = 512;
+                        o[n].z[k] = 32000;
+                        o[n].c[k] = 0xFFFF;
+                        o[n].u[k] = 0;
+                        o[n].v[k] = 0;
+                        o[n].w[k] = 512;
                     }
-                    if (wl_area2(o[n].x, o[n].y) <= 0) ok = 0;
+                    if (wl_area2(o[n].x, o[n].y) <= 0)
+                        ok = 0;
                 }
             }
-        if (ok) return;
+        if (ok)
+            return;
     }
 }
 

@@ -49,8 +49,7 @@ static inline void paint(const struct etch_surface *s, int n, etch_triangle_pain
                          etch_kernel *kernel)
 {
     for (int i = 0; i < n; i++) {
-        const struct etch_vertex *const v[3] = {&vertices[i][0], &vertices[i][1],
-                                                &vertices[i][2]};
+        const struct etch_vertex *const v[3] = {&vertices[i][0], &vertices[i][1], &vertices[i][2]};
         painter(s, v, kernel);
     }
 }

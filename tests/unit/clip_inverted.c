@@ -3,7 +3,13 @@
 #include "core/etch.h"
 #include "tests/harness/harness.h"
 
-enum { W = 40, H = 3, BORDER = 64, CELLS = W * H, MARK = 0x1234 };
+enum {
+    W = 40,
+    H = 3,
+    BORDER = 64,
+    CELLS = W * H,
+    MARK = 0x1234
+};
 
 static uint16_t memory[2 * CELLS + 3 * BORDER];
 

@@ -11,7 +11,12 @@ int main(void);
 static uint16_t size_pixels[320 * 240] __attribute__((unused));
 static uint16_t size_depth[320 * 240] __attribute__((unused));
 
-#define SIZE_SURFACE(depth_plane) \
-    {size_pixels, (depth_plane), 320, {0, 0, 320, 240}, {0, 0, 320, 240}}
+#define SIZE_SURFACE(depth_plane)                                                                  \
+    {                                                                                              \
+        size_pixels, (depth_plane), 320, {0, 0, 320, 240},                                         \
+        {                                                                                          \
+            0, 0, 320, 240                                                                         \
+        }                                                                                          \
+    }
 
 #endif
