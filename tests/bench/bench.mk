@@ -127,6 +127,9 @@ $(LEAVES)/leaves.elf: $(BENCH_SRC)/leaves.c $(BENCH_SRC)/start.c linker/mps2.ld 
     $(foreach n,$(notdir $(LEAF_PORTABLE)),$(BENCH)/m0plus-best/core/leaf/armv6m/$(n).o)
 	@$(BENCH_CC_m0plus) $(filter-out -MMD -MP,$(BENCH_FLAGS)) -ffreestanding -nostdlib \
 	    -Wl,--gc-sections -T linker/mps2.ld $(filter %.c %.o,$^) -lgcc -o $@
+
+CHECK_STEPS += bench-leaves
+
 .PHONY: bench-leaves
 bench-leaves: $(LEAVES)/leaves.elf ## proves the leaf loops of ARMv6-M against the portable C
 	@QEMU_AUDIO_DRV=none timeout 300 qemu-system-arm -M mps2-an385 -display none -monitor none \
