@@ -13,6 +13,7 @@ void etch_kernel_flat(const struct etch_surface *surface, int16_t y0, const stru
     for (; runs != end; runs++, row += stride) {
         const uint16_t x0 = (uint16_t)runs->x0, x1 = (uint16_t)runs->x1;
 
-        etch_fill_row((uint16_t *)(row + (uintptr_t)x0 * 2), (uint32_t)x1 - x0, twice);
+        etch_fill_row((uint16_t *)etch_wrap_address_add(row, (uintptr_t)x0 * 2), (uint32_t)x1 - x0,
+                      twice);
     }
 }

@@ -37,8 +37,8 @@ ETCH_INLINE void gouraud_rows(const struct etch_surface *s, int16_t y0, const st
     do {
         const uint32_t x0 = (uint16_t)runs->x0, x1 = (uint16_t)runs->x1;
         const uint32_t right = etch_wrap_sub(x0, x);
-        uint16_t *pixel = (uint16_t *)(row + (uintptr_t)x0 * 2);
-        const uint16_t *const stop = (uint16_t *)(row + (uintptr_t)x1 * 2);
+        uint16_t *pixel = (uint16_t *)etch_wrap_address_add(row, (uintptr_t)x0 * 2);
+        const uint16_t *const stop = (uint16_t *)etch_wrap_address_add(row, (uintptr_t)x1 * 2);
 
         r = etch_wrap_add(r, etch_wrap_mul(right, dr));
         g = etch_wrap_add(g, etch_wrap_mul(right, dg));

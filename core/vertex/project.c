@@ -14,25 +14,12 @@ struct divisor {
     uint8_t shift;       /* w << shift is in 2^31 .. 2^32 - 1 */
 };
 
-static uint8_t leading_zeros(uint32_t v)
-{
-    uint8_t n = 0;
-
-    for (uint8_t step = 16; step != 0; step >>= 1) {
-        if (v < UINT32_C(1) << (32 - step)) {
-            v <<= step;
-            n = (uint8_t)(n + step);
-        }
-    }
-    return n;
-}
-
 /* A first guess r = 2^48 / W from W's upper half, 17 bits, too small by e < 1.5 * 2^-15 of it,
  * then one step of Newton's iteration, r (1 + e). What is left: e^2 < 2^-28, 2^-27 for taking W
  * in 28 bits, and 2^-29 for taking e in 15. */
 static struct divisor divisor(uint32_t w)
 {
-    struct divisor d = {w, 0, leading_zeros(w)};
+    struct divisor d = {w, 0, etch_leading_zeros(w)};
     const uint32_t top = w << d.shift;
     const uint32_t guess = UINT32_MAX / ((top >> 16) + 1);
     /* 2^44 e = 2^44 - guess W / 16, which is below 2^30, so modulo 2^32 will do */
