@@ -1,7 +1,8 @@
-/* base/sink.h: what the vertex stage hands on, a stream of screen-space triangles.
+/* base/sink.h: what the vertex stage hands on, a stream of screen-space triangles, lines and points.
  *
- * The sink that rasterises is in draw/mesh.h. One that stores the triangles gives geometry
- * kept per frame, feedback or selection. */
+ * The sink that rasterises is in draw/mesh.h. One that stores the primitives gives geometry
+ * kept per frame, feedback or selection. A vertex with more to it (texture coordinates, a normal)
+ * is a struct that begins with an etch_vertex; source and sink of the stream agree on which. */
 #ifndef ETCH_BASE_SINK_H
 #define ETCH_BASE_SINK_H
 
@@ -15,9 +16,12 @@ struct etch_vertex {
     uint8_t r, g, b, a; /* colour, 0 .. 255 */
 };
 
+/* Each takes one primitive. The vertices are only valid during the call. A kind that the source
+ * does not emit may be NULL. */
 struct etch_sink {
-    /* Takes a triangle. The vertices are only valid during the call. */
     void (*triangle)(struct etch_sink *sink, const struct etch_vertex *const v[3]);
+    void (*line)(struct etch_sink *sink, const struct etch_vertex *const v[2]);
+    void (*point)(struct etch_sink *sink, const struct etch_vertex *v);
 };
 
 #endif

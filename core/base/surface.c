@@ -10,6 +10,7 @@ enum etch_status etch_surface_init(struct etch_surface *s, uint16_t *pixels,
         return ETCH_EINVAL;
     s->pixels = pixels;
     s->depth = NULL;
+    s->stencil = NULL;
     s->stride = stride;
     s->window = window;
     s->clip = window;

@@ -21,10 +21,11 @@ struct etch_surface {
     uint16_t stride;         /* elements from one row to the next, in every plane */
     struct etch_rect window; /* rectangle of the frame that the planes hold */
     struct etch_rect clip;   /* what may be written; always inside window */
+    uint8_t *stencil;        /* 8-bit stencil plane of the same layout, or NULL */
 };
 
 /* Makes a surface over the caller's `pixels`, which hold `window` of the frame, rows `stride`
- * elements apart; clip becomes the window and depth NULL. The memory must stay valid while
+ * elements apart; clip becomes the window, depth and stencil NULL. The memory must stay valid while
  * the surface is used; nothing is allocated or copied.
  * ETCH_EINVAL if pixels is NULL, the window is empty or not within 0 .. 32767, or the stride
  * is less than its width; *s is then left as it was. */

@@ -13,7 +13,7 @@ static void paint(struct etch_sink *sink, const struct etch_vertex *const v[3])
 void etch_raster_sink_init(struct etch_raster_sink *raster, const struct etch_surface *surface,
                            etch_triangle_painter *painter, etch_kernel *kernel)
 {
-    raster->sink.triangle = paint;
+    raster->sink = (struct etch_sink){.triangle = paint};
     raster->surface = surface;
     raster->painter = painter;
     raster->kernel = kernel;

@@ -26,6 +26,24 @@ struct etch_scene_step *etch_scene_append(struct etch_scene_reader *reader,
     return step;
 }
 
+void *etch_scene_data(struct etch_scene_reader *reader, size_t size)
+{
+    struct etch_scene *scene = reader->scene;
+    void *list = scene->data;
+    void *data = NULL;
+
+    if (etch_array_grow(&list, &scene->data_capacity, scene->data_count, sizeof *scene->data)) {
+        scene->data = list;
+        data = calloc(1, size);
+    }
+    if (data == NULL) {
+        (void)etch_text_fail(&reader->text, "out of memory");
+        return NULL;
+    }
+    scene->data[scene->data_count++] = data;
+    return data;
+}
+
 bool etch_scene_read_byte(struct etch_scene_reader *reader, const char *name, uint8_t *value)
 {
     int64_t number;
@@ -191,6 +209,10 @@ void etch_scene_close(struct etch_scene *scene)
         free(scene->file[i]);
     }
     free(scene->file);
+    for (size_t i = 0; i < scene->data_count; i++) {
+        free(scene->data[i]);
+    }
+    free(scene->data);
     free(scene->step);
     *scene = (struct etch_scene){0};
 }

@@ -27,6 +27,8 @@ struct etch_scene {
     size_t capacity, file_capacity;
     struct etch_scene_mesh **mesh;
     size_t mesh_count, mesh_capacity;
+    void **data;
+    size_t data_count, data_capacity;
     struct etch_scene_texture **texture;
     size_t texture_count, texture_capacity;
 };

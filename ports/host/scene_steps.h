@@ -60,6 +60,7 @@ struct etch_scene_step {
             struct etch_clip_vertex v[3];
         } clip_triangle;
         const struct etch_scene_mesh *mesh;
+        const void *data; /* from etch_scene_data, for statements with more to keep */
     } of;
 };
 
@@ -121,6 +122,9 @@ extern const struct etch_scene_statement etch_scene_mesh_statements[];
 /* Appends an empty step; NULL, with an error set, without memory. */
 struct etch_scene_step *etch_scene_append(struct etch_scene_reader *reader,
                                           const struct etch_scene_statement *statement);
+
+/* `size` bytes of zeros that live as long as the scene; NULL, with an error set, without memory. */
+void *etch_scene_data(struct etch_scene_reader *reader, size_t size);
 
 /* R G B, 0 .. 255 each. */
 bool etch_scene_read_rgb(struct etch_scene_reader *reader, uint8_t rgb[3]);

@@ -33,7 +33,7 @@ static void floor_covers_each_pixel_once(void)
 
     test_canvas_open(&canvas, screen);
     for (n = 0; n < TEST_COUNT(400) && !test_failed(); n++) {
-        struct etch_sink sink = {count_pixels};
+        struct etch_sink sink = {.triangle = count_pixels};
         const struct etch_assembly assembly = assembly_for(&sink, screen);
         const etch_q16 height = 1 + (int32_t)(test_random(&seed) >> test_range(&seed, 12, 24));
         const etch_q16 near = 1 + (height >> test_range(&seed, 1, 5));
@@ -86,7 +86,7 @@ static void front_and_back_cover_the_same(void)
     test_canvas_open(&canvas, screen);
     for (n = 0; n < TEST_COUNT(2000) && !test_failed(); n++) {
         static const struct etch_vector centre = {0, 0, 0};
-        struct etch_sink sink = {count_pixels};
+        struct etch_sink sink = {.triangle = count_pixels};
         struct etch_assembly assembly = assembly_for(&sink, screen);
         const struct etch_vector eye = {test_range(&seed, -200000, 200000),
                                         test_range(&seed, -200000, 200000), 90000};
