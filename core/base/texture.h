@@ -30,6 +30,29 @@ struct etch_texture_vertex {
                               perspective painters only; 0 counts as 1 */
 };
 
+/* ---- images of any size and format, which samplers read (fragment/sampler.h) --------------- */
+
+struct etch_image;
+
+/* Fetches n texels, 1 <= n <= 16: texel i is in column[i] and row[i] of the image, both inside. A
+ * format is one such function for its colours, RGB565, and one for its alpha, 0 .. 255. */
+typedef void etch_texel_colors(uint16_t *color, const uint16_t *column, const uint16_t *row,
+                               uint16_t n, const struct etch_image *image);
+typedef void etch_texel_alphas(uint8_t *alpha, const uint16_t *column, const uint16_t *row,
+                               uint16_t n, const struct etch_image *image);
+
+/* An image. All memory is the caller's and must stay while the image is used. Colours are
+ * etch_rgb565's, whatever the byte order of the surface: they are unpacked, not copied. */
+struct etch_image {
+    etch_texel_colors *colors; /* the format, as fragment/sampler.h lists them */
+    etch_texel_alphas *alphas; /* where alpha comes from; NULL: the image is opaque */
+    const void *texels;        /* what `colors` reads, row 0 first */
+    const uint16_t *palette;   /* the colours of a palette format */
+    const uint8_t *alpha;      /* what `alphas` reads */
+    uint16_t width, height;    /* texels, 1 .. 32767 each */
+    uint16_t stride;           /* texels from one row to the next, in every plane; >= width */
+};
+
 /* ---- what raster/texture_plane.h sets up and fragment/texture.h reads -------------------- */
 
 /* Where the texels are: the byte offset of a texel is
