@@ -53,6 +53,10 @@ struct etch_image {
     uint16_t stride;           /* texels from one row to the next, in every plane; >= width */
 };
 
+/* False if `colors` or `texels` is NULL, or `alpha` where there are `alphas`, or a side is not
+ * 1 .. 32767, or the stride is less than the width. */
+bool etch_image_valid(const struct etch_image *image);
+
 /* ---- what raster/texture_plane.h sets up and fragment/texture.h reads -------------------- */
 
 /* Where the texels are: the byte offset of a texel is

@@ -26,8 +26,9 @@ uint32_t etch_mipmap_texels(uint16_t width, uint16_t height);
  * mask into `alpha` (else not read); both hold `capacity` texels. The image becomes level 0.
  * A texel is the mean of the part of level 0 that it covers, texels at its border counting by their
  * part, each channel rounded to nearest once, half up: levels do not round one another's roundings.
- * ETCH_EINVAL as etch_sampler_init, ETCH_ENOMEM if capacity is below etch_mipmap_texels; *m is then
- * left as it was. Time: all of the image for each level; on small machines build offline. */
+ * ETCH_EINVAL if the image is not etch_image_valid or memory is NULL, ETCH_ENOMEM if capacity is
+ * below etch_mipmap_texels; *m is then left as it was. Time: all of the image for each level; on
+ * small machines build offline. */
 enum etch_status etch_mipmap_build(struct etch_mipmap *m, const struct etch_image *image,
                                    uint16_t *texels, uint8_t *alpha, uint32_t capacity);
 

@@ -70,9 +70,8 @@ struct etch_sampler {
     etch_texel_wrap *wrap_u, *wrap_v;
 };
 
-/* Checks the image and describes it, wrapped alike both ways. ETCH_EINVAL if a function, the
- * texels, or the alpha of an image with `alphas` is NULL, a side is not 1 .. 32767, or the stride
- * is less than the width; *s is then left as it was. A sampler may also be filled in by hand. */
+/* Describes an image that is sampled alike both ways. ETCH_EINVAL if it is not etch_image_valid or
+ * a function is NULL; *s is then left as it was. A sampler may also be filled in by hand. */
 enum etch_status etch_sampler_init(struct etch_sampler *s, const struct etch_image *image,
                                    etch_texel_filter *filter, etch_texel_wrap *wrap);
 
