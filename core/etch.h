@@ -70,6 +70,7 @@
 #include "raster/triangle.h"
 #include "vertex/assembly.h"
 #include "vertex/clip.h"
+#include "vertex/clip_line.h"
 #include "vertex/cull.h"
 #include "vertex/light.h"
 #include "vertex/matrix.h"
