@@ -170,6 +170,12 @@ static void set_defaults(struct etch_scene_reader *reader)
 
 bool etch_scene_open(struct etch_scene *scene, const char *path, struct etch_error *error)
 {
+    return etch_scene_open_in(scene, path, -1, error);
+}
+
+bool etch_scene_open_in(struct etch_scene *scene, const char *path, int format,
+                        struct etch_error *error)
+{
     struct etch_scene_reader *reader = calloc(1, sizeof *reader);
     bool ok;
 
@@ -191,6 +197,7 @@ bool etch_scene_open(struct etch_scene *scene, const char *path, struct etch_err
     etch_text_close(&reader->text);
     free(reader);
     if (ok) {
+        scene->format = format >= 0 ? (uint8_t)format : scene->format;
         etch_scene_textures_finish(scene);
     } else {
         etch_scene_close(scene);

@@ -37,6 +37,11 @@ struct etch_scene {
  * nothing to close then. */
 bool etch_scene_open(struct etch_scene *scene, const char *path, struct etch_error *error);
 
+/* The same in a format (enum etch_format) that the display wants, whatever the scene says; -1: in
+ * the scene's. */
+bool etch_scene_open_in(struct etch_scene *scene, const char *path, int format,
+                        struct etch_error *error);
+
 /* Gives the memory back. */
 void etch_scene_close(struct etch_scene *scene);
 

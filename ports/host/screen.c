@@ -5,7 +5,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char etch_screen_names[] = "memory strips strips1";
+static const char *const plain[] = {"memory", "strips", "strips1"};
+
+enum {
+    PLAIN = sizeof plain / sizeof plain[0]
+};
 
 static int start_transfer(const struct etch_display *display, struct etch_rect area,
                           const uint16_t *pixels, uint16_t stride)
@@ -38,32 +42,95 @@ static int finish_transfer(const struct etch_display *display)
     return ETCH_OK;
 }
 
-enum etch_screen_status etch_screen_open(struct etch_screen *screen, const char *name,
-                                         int16_t width, int16_t height, uint8_t format)
+static void open_plain(struct etch_screen *screen, int index, const struct etch_display *frame)
 {
-    const bool direct = strcmp(name, "memory") == 0;
+    const bool direct = index == 0;
 
-    *screen = (struct etch_screen){0};
-    if (!direct && strcmp(name, "strips") != 0 && strcmp(name, "strips1") != 0) {
-        return ETCH_SCREEN_UNKNOWN;
-    }
-    screen->buffers = direct ? 0 : name[6] == '1' ? 1 : 2;
-    screen->shown.stride = (uint16_t)width;
-    screen->shown.pixels = calloc((size_t)width * (size_t)height, sizeof *screen->shown.pixels);
+    screen->buffers = direct ? 0 : index == 1 ? 2 : 1;
+    screen->swapped = frame->format == ETCH_FORMAT_RGB565_SWAPPED;
     screen->display = (struct etch_display){
         .context = direct ? (void *)&screen->shown : (void *)screen,
-        .width = width,
-        .height = height,
-        .format = format,
+        .width = frame->width,
+        .height = frame->height,
+        .format = frame->format,
         .flush = direct ? etch_framebuffer_flush : start_transfer,
         .wait = direct ? etch_framebuffer_wait : finish_transfer,
         .memory = direct ? etch_framebuffer_memory : NULL,
     };
-    return screen->shown.pixels != NULL ? ETCH_SCREEN_OK : ETCH_SCREEN_NO_MEMORY;
+}
+
+static bool fail_unknown(const char *name, const char *path, struct etch_error *error)
+{
+    char *names = etch_screen_names();
+
+    (void)etch_error_set(error, path, 0, "no port \"%s\"; there are: %s", name,
+                         names != NULL ? names : "");
+    free(names);
+    return false;
+}
+
+bool etch_screen_open(struct etch_screen *screen, const char *name,
+                      const struct etch_display *frame, const struct etch_screen_panel *panel,
+                      const char *path, struct etch_error *error)
+{
+    const struct etch_panel_type *type = etch_panel_find(name);
+    const size_t pixels = (size_t)frame->width * (size_t)frame->height;
+    int index = 0;
+
+    *screen = (struct etch_screen){0};
+    while (index < PLAIN && strcmp(name, plain[index]) != 0) {
+        index++;
+    }
+    if (index == PLAIN && type == NULL) {
+        return fail_unknown(name, path, error);
+    }
+    screen->shown.stride = (uint16_t)frame->width;
+    screen->shown.pixels = calloc(pixels, sizeof *screen->shown.pixels);
+    if (screen->shown.pixels == NULL) {
+        return etch_error_set(error, path, 0, "no memory for a frame of %d x %d", frame->width,
+                              frame->height);
+    }
+    if (index == PLAIN) {
+        return etch_screen_open_panel(screen, type, frame, panel, path, error);
+    }
+    open_plain(screen, index, frame);
+    return true;
 }
 
 void etch_screen_close(struct etch_screen *screen)
 {
     free(screen->shown.pixels);
     screen->shown.pixels = NULL;
+    etch_screen_close_panel(screen);
+}
+
+/* Appends a name to the text, or only counts it. Returns the text's new size. */
+static size_t append(char *text, size_t size, const char *name)
+{
+    if (text != NULL) {
+        (void)strcpy(text + size, size != 0 ? " " : "");
+        (void)strcat(text + size, name);
+    }
+    return size + strlen(name) + (size != 0);
+}
+
+char *etch_screen_names(void)
+{
+    char *text = NULL;
+
+    for (int pass = 0; pass < 2; pass++) {
+        size_t size = 0;
+
+        for (int i = 0; i < PLAIN; i++) {
+            size = append(text, size, plain[i]);
+        }
+        for (const struct etch_panel_type *t = etch_panel_types; t->name != NULL; t++) {
+            size = append(text, size, t->name);
+        }
+        text = pass == 0 ? malloc(size + 1) : text;
+        if (text == NULL) {
+            break;
+        }
+    }
+    return text;
 }

@@ -83,25 +83,34 @@ static bool draw_frame(struct etch_simulation *s, const struct buffers *b, size_
     return ok || etch_error_set(error, path, 0, "out of memory");
 }
 
+/* Rows of a strip: as asked for, and up to what panels with several rows in a byte take. */
+static int16_t rows_of(const struct etch_simulation *s)
+{
+    const int align = s->screen.display.align_y > 1 ? s->screen.display.align_y : 1;
+    const int rows = (s->rows + align - 1) / align * align;
+
+    return s->screen.buffers == 0 || rows > s->scene->height ? s->scene->height : (int16_t)rows;
+}
+
 bool etch_simulate(struct etch_simulation *s, const char *path, struct etch_error *error)
 {
     const struct etch_scene *scene = s->scene;
     struct buffers buffers = {{NULL, NULL}, NULL};
-    const enum etch_screen_status status = etch_screen_open(&s->screen, s->port, scene->width,
-                                                            scene->height, scene->format);
-    const int16_t rows = s->screen.buffers == 0 ? scene->height : s->rows;
-    const size_t elements = (size_t)etch_mul_s16(rows, scene->width);
+    const struct etch_display frame = {
+        .width = scene->width, .height = scene->height, .format = scene->format};
+    size_t elements;
     bool ok = false;
 
-    if (status == ETCH_SCREEN_UNKNOWN) {
-        return etch_error_set(error, path, 0, "no port \"%s\"; there are: %s", s->port,
-                              etch_screen_names);
+    if (!etch_screen_open(&s->screen, s->port, &frame, &s->panel, path, error)) {
+        return false;
     }
-    if (status == ETCH_SCREEN_NO_MEMORY || !get_buffers(s, &buffers, elements)) {
+    elements = (size_t)etch_mul_s16(rows_of(s), scene->width);
+    if (!get_buffers(s, &buffers, elements)) {
         (void)etch_error_set(error, path, 0, "no memory for a frame of %d x %d", scene->width,
                              scene->height);
     } else {
-        ok = draw_frame(s, &buffers, elements, path, error);
+        ok = draw_frame(s, &buffers, elements, path, error) &&
+             etch_screen_look(&s->screen, path, error);
     }
     free_buffers(&buffers);
     return ok;

@@ -8,6 +8,7 @@
 struct etch_simulation {
     const struct etch_scene *scene; /* the caller's */
     const char *port;               /* a name of screen.h */
+    struct etch_screen_panel panel; /* read if the port is a panel */
     int16_t rows;                   /* of a strip, 1 .. the scene's height */
     bool keeps_depth;               /* the depth of the whole frame is wanted */
     bool counts;                    /* fill in stats */
