@@ -64,6 +64,11 @@ etch_texel_filter etch_filter_nearest;
  * formats, against exact rational weights. */
 etch_texel_filter etch_filter_linear;
 
+/* The same, fused for opaque RGB565 with sides that are powers of two, repeated, in half the time;
+ * they do not look at the sampler's other functions. texel.h makes others in a line. */
+etch_texel_filter etch_filter_nearest_power, etch_filter_linear_power;
+
+
 struct etch_sampler {
     struct etch_image image;
     etch_texel_filter *filter;

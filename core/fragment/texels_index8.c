@@ -1,14 +1,5 @@
-/* fragment/texels_index8.c: texels that are places in a palette of 256. Called by filters, through
- * the image. See sampler.h. */
-#include "sampler.h"
+/* fragment/texels_index8.c: places in a palette of 256. Called by filters, through the image. See
+ * sampler.h. */
+#include "texel.h"
 
-void etch_texels_index8(uint16_t *color, const uint16_t *column, const uint16_t *row, uint16_t n,
-                        const struct etch_image *image)
-{
-    const uint8_t *const texels = (const uint8_t *)image->texels;
-    const uint16_t *const palette = image->palette;
-    const uint16_t stride = image->stride;
-
-    for (uint16_t i = 0; i < n; i++)
-        color[i] = palette[texels[etch_mul_u16(row[i], stride) + column[i]]];
-}
+ETCH_TEXEL_FORMAT(etch_texels_index8, uint16_t, etch_texel_index8)

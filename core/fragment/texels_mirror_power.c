@@ -1,17 +1,5 @@
-/* fragment/texels_mirror_power.c: repeats textures whose side is a power of two, every second one
- * mirrored. Called by filters, through the sampler. See sampler.h. */
-#include "texel_place.h"
+/* fragment/texels_mirror_power.c: the same, powers of two. Called by filters, through the sampler. See
+ * sampler.h. */
+#include "texel.h"
 
-/* In a mirrored period the bit of the size is set, and all bits below it are turned round. */
-void etch_texels_mirror_power(uint16_t *texel, const int32_t *c_q16, uint16_t n, int16_t shift_q15,
-                              uint16_t size)
-{
-    const uint32_t mask = (uint32_t)size - 1;
-
-    ETCH_ASSERT((size & mask) == 0);
-    for (uint16_t i = 0; i < n; i++) {
-        const uint32_t k = (uint32_t)etch_texel_floor(c_q16[i], shift_q15);
-
-        texel[i] = (uint16_t)(((k & size) != 0 ? ~k : k) & mask);
-    }
-}
+ETCH_TEXEL_WRAP(etch_texels_mirror_power, etch_address_mirror_power)
