@@ -1,4 +1,8 @@
 /* fragment/flat_lequal.c: one colour where not farther than the depth plane. See flat.h. */
-#include "flat_shader.h"
+#include "flat_span.h"
 
-ETCH_KERNEL(etch_kernel_flat_lequal, etch_flat_shader, etch_depth_lequal, true)
+void etch_kernel_flat_lequal(const struct etch_surface *surface, int16_t y0,
+                         const struct etch_run *runs, uint8_t n, const struct etch_paint *paint)
+{
+    etch_depth_rows_lequal(surface, y0, runs, n, paint, flat_span);
+}

@@ -1,5 +1,11 @@
 /* fragment/gouraud_lequal.c: interpolated colour where not farther than the depth plane.
  * See gouraud.h. */
-#include "gouraud_shader.h"
+#include "gouraud.h"
+#include "gouraud_span.h"
 
-ETCH_KERNEL(etch_kernel_gouraud_lequal, etch_gouraud_shader, etch_depth_lequal, true)
+void etch_kernel_gouraud_lequal(const struct etch_surface *surface, int16_t y0,
+                                const struct etch_run *runs, uint8_t n,
+                                const struct etch_paint *paint)
+{
+    etch_depth_rows_lequal(surface, y0, runs, n, paint, etch_gouraud_span);
+}

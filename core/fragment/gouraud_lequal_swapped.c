@@ -1,6 +1,11 @@
-/* fragment/gouraud_lequal_swapped.c: interpolated colour where not farther, bytes swapped.
- * See gouraud.h. */
-#include "gouraud_shader.h"
+/* fragment/gouraud_lequal_swapped.c: interpolated colour where not farther than the depth plane, bytes
+ * swapped. See gouraud.h. */
+#include "gouraud.h"
+#include "gouraud_span.h"
 
-ETCH_KERNEL(etch_kernel_gouraud_lequal_swapped, etch_gouraud_swapped_shader, etch_depth_lequal,
-            true)
+void etch_kernel_gouraud_lequal_swapped(const struct etch_surface *surface, int16_t y0,
+                                        const struct etch_run *runs, uint8_t n,
+                                        const struct etch_paint *paint)
+{
+    etch_depth_rows_lequal(surface, y0, runs, n, paint, etch_gouraud_span_swapped);
+}

@@ -1,4 +1,11 @@
-/* fragment/gouraud_less.c: interpolated colour where nearer than the depth plane. See gouraud.h. */
-#include "gouraud_shader.h"
+/* fragment/gouraud_less.c: interpolated colour where nearer than the depth plane.
+ * See gouraud.h. */
+#include "gouraud.h"
+#include "gouraud_span.h"
 
-ETCH_KERNEL(etch_kernel_gouraud_less, etch_gouraud_shader, etch_depth_less, true)
+void etch_kernel_gouraud_less(const struct etch_surface *surface, int16_t y0,
+                              const struct etch_run *runs, uint8_t n,
+                              const struct etch_paint *paint)
+{
+    etch_depth_rows_less(surface, y0, runs, n, paint, etch_gouraud_span);
+}

@@ -23,6 +23,47 @@ ETCH_INLINE uint16_t gouraud_pack_swapped(uint32_t r, uint32_t g, uint32_t b)
     return etch_rgb565_swap(gouraud_pack(r, g, b));
 }
 
+/* Where the three planes stand. */
+struct gouraud_cursor {
+    uint32_t r, g, b;
+};
+
+/* The pixels from `pixel` to `stop`; c follows. */
+ETCH_INLINE struct gouraud_cursor gouraud_walk(uint16_t *pixel, const uint16_t *stop,
+                                               struct gouraud_cursor c,
+                                               const struct etch_gouraud_paint *p,
+                                               etch_gouraud_pack *pack)
+{
+    const uint32_t dr = p->r.dx, dg = p->g.dx, db = p->b.dx;
+    uint32_t r = c.r, g = c.g, b = c.b;
+
+    if (((stop - pixel) & 1) != 0) {
+        *pixel++ = pack(r, g, b);
+        r = etch_wrap_add(r, dr), g = etch_wrap_add(g, dg), b = etch_wrap_add(b, db);
+    }
+    while (pixel != stop) {
+        pixel[0] = pack(r, g, b);
+        r = etch_wrap_add(r, dr), g = etch_wrap_add(g, dg), b = etch_wrap_add(b, db);
+        ETCH_KEEP(r);
+        ETCH_KEEP(g);
+        ETCH_KEEP(b);
+        pixel[1] = pack(r, g, b);
+        r = etch_wrap_add(r, dr), g = etch_wrap_add(g, dg), b = etch_wrap_add(b, db);
+        pixel += 2;
+    }
+    return (struct gouraud_cursor){r, g, b};
+}
+
+ETCH_INLINE void gouraud_span(uint16_t *pixel, int32_t x, uint32_t n, int32_t y,
+                              const struct etch_gouraud_paint *p, etch_gouraud_pack *pack)
+{
+    const struct gouraud_cursor c = {etch_plane_at(&p->r, (int16_t)x, (int16_t)y),
+                                     etch_plane_at(&p->g, (int16_t)x, (int16_t)y),
+                                     etch_plane_at(&p->b, (int16_t)x, (int16_t)y)};
+
+    gouraud_walk(pixel, pixel + n, c, p, pack);
+}
+
 ETCH_INLINE void gouraud_rows(const struct etch_surface *s, int16_t y0, const struct etch_run *runs,
                               uint8_t n, const struct etch_gouraud_paint *p,
                               etch_gouraud_pack *pack)

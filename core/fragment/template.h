@@ -1,4 +1,5 @@
-/* fragment/template.h: how kernels are made, shipped ones and yours.
+/* fragment/template.h: how kernels of your own are made. (Those shipped with depth write it first
+ * and give colour to spans afterwards: depth_rows.h. The pixels are the same.)
  *
  * A kernel is a loop over runs with three parts put in as constants, so that the compiler
  * fuses them and drops what is not there:

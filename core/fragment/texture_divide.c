@@ -26,8 +26,9 @@ void etch_texel_divide(struct etch_texel_offset *out, const struct etch_perspect
     uint32_t d = (uint32_t)(at->d < c->least ? c->least : at->d);
     int32_t zeros = 0;
 
-    for (; (int32_t)d >= 0; d <<= 1) /* one to three times where w varies little */
-        zeros++;
+    do /* at least once, and to three times where w varies little */
+        d <<= 1, zeros++;
+    while ((int32_t)d >= 0);
     const int32_t r = etch_reciprocal_q62(d);
 
     out->u = scaled(high_product(at->u, r), zeros + c->u.exponent);

@@ -2,4 +2,9 @@
  * not farther than the depth plane. See texture.h. */
 #include "texture_block.h"
 
-ETCH_PERSPECTIVE_KERNEL(etch_kernel_perspective_lequal, etch_depth_lequal)
+void etch_kernel_perspective_lequal(const struct etch_surface *surface, int16_t y0,
+                                    const struct etch_run *runs, uint8_t n,
+                                    const struct etch_paint *paint)
+{
+    etch_depth_rows_lequal(surface, y0, runs, n, paint, etch_texel_blocks);
+}

@@ -2,4 +2,9 @@
  * nearer than the depth plane. See texture.h. */
 #include "texture_block.h"
 
-ETCH_PERSPECTIVE_KERNEL(etch_kernel_perspective_less, etch_depth_less)
+void etch_kernel_perspective_less(const struct etch_surface *surface, int16_t y0,
+                                  const struct etch_run *runs, uint8_t n,
+                                  const struct etch_paint *paint)
+{
+    etch_depth_rows_less(surface, y0, runs, n, paint, etch_texel_blocks);
+}

@@ -4,6 +4,7 @@
 #include "bench.h"
 
 #include "../../core/base/fill.h"
+#include "../../core/fragment/depth_rows.h"
 #include "../../core/fragment/flat.h"
 #include "../../core/fragment/gouraud.h"
 #include "../../core/raster/line_walk.h"
@@ -14,6 +15,7 @@ int main(void);
 void portable_etch_fill_rows(uint16_t *p, uint32_t n, uint16_t value, uint32_t rows, size_t stride);
 void portable_etch_line_walk(uint16_t *p, uint32_t n, ptrdiff_t along, ptrdiff_t aside, int32_t e,
                              int32_t du, int32_t dv, uint16_t color);
+etch_depth_rows portable_etch_depth_rows_less, portable_etch_depth_rows_lequal;
 etch_kernel portable_etch_kernel_flat, portable_etch_kernel_gouraud;
 
 static uint32_t leaf[WORDS], portable[WORDS], seed;
@@ -82,6 +84,52 @@ static struct etch_plane plane(void)
     return p;
 }
 
+/* Pixels that say where they are and which paint they had, however spans are cut. */
+static void trace(uint16_t *pixel, int32_t x, uint32_t n, int32_t y, const struct etch_paint *paint)
+{
+    const struct etch_depth_paint *const p = (const struct etch_depth_paint *)paint;
+
+    for (uint32_t i = 0; i < n; i++)
+        pixel[i] = (uint16_t)((uint32_t)x * 31 + i * 31 + (uint32_t)y * 1009 + p->z.dx);
+}
+
+/* Depths round those of a plane, many of them equal; of planes near 0 the first ones below one. */
+static bool depth_differs(etch_depth_rows *a, etch_depth_rows *b, bool near)
+{
+    const int16_t x = (int16_t)below(20), y = (int16_t)below(20);
+    const struct etch_rect window = {x, y, (int16_t)(x + 200), (int16_t)(y + 40)};
+    const uint8_t n = (uint8_t)(1 + below(ETCH_RUN_BLOCK));
+    const int16_t y0 = (int16_t)(y + (int16_t)below(8));
+    struct etch_depth_paint paint = {{NULL}, {0, 0, 0}};
+    struct etch_run runs[ETCH_RUN_BLOCK];
+    struct etch_surface s, t;
+
+    paint.z.dx = near ? below(1 << 14) : below(1 << 20) - (1 << 19);
+    paint.z.dy = near ? below(1 << 14) : below(1 << 20) - (1 << 19);
+    paint.z.origin = (near ? below(1 << 16) : UINT32_C(9000) << 16);
+    if (etch_surface_init(&s, (uint16_t *)leaf, window, (uint16_t)(200 + below(3))) != ETCH_OK)
+        return true;
+    t = s;
+    t.pixels = (uint16_t *)portable;
+    wipe();
+    s.depth = (uint16_t *)leaf + 20000 + below(2);
+    t.depth = (uint16_t *)portable + (s.depth - (uint16_t *)leaf);
+    for (int16_t row = y; row < y + 40; row++)
+        for (int16_t column = x; column < x + 200; column++) {
+            const size_t i = etch_surface_index(&s, column, row);
+            const uint32_t z = etch_plane_at(&paint.z, column, row) >> 16;
+
+            s.depth[i] = t.depth[i] = (uint16_t)(z + 3 > below(7) ? z + 3 - below(7) : 0);
+        }
+    for (uint8_t i = 0; i < n; i++) {
+        runs[i].x0 = (int16_t)(x + (int16_t)below(90));
+        runs[i].x1 = (int16_t)(runs[i].x0 + (int16_t)below(110));
+    }
+    a(&s, y0, runs, n, &paint.paint, trace);
+    b(&t, y0, runs, n, &paint.paint, trace);
+    return differ();
+}
+
 static bool line_differs(void)
 {
     static const int16_t step[4] = {1, -1, 200, -200};
@@ -115,6 +163,10 @@ int main(void)
             return 3;
         if (line_differs())
             return 4;
+        if (depth_differs(etch_depth_rows_less, portable_etch_depth_rows_less, i % 2 == 0))
+            return 5;
+        if (depth_differs(etch_depth_rows_lequal, portable_etch_depth_rows_lequal, i % 2 == 0))
+            return 6;
     }
     return 0;
 }
