@@ -41,7 +41,7 @@ void etch_edge_flags_add_edge(struct etch_edge_flags *f, struct etch_point_q8 a,
         const int32_t x = g.x > r->x0 ? g.x - r->x0 : 0;
 
         if (g.x < r->x1)
-            row[x >> 3] ^= (uint8_t)(0x80 >> (x & 7));
+            row[x >> 3] = (uint8_t)(row[x >> 3] ^ 0x80 >> (x & 7));
         etch_polygon_edge_step(&g);
     }
 }
