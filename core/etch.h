@@ -79,6 +79,7 @@
 #include "vertex/matrix.h"
 #include "vertex/mesh.h"
 #include "vertex/transform.h"
+#include "vertex/varying.h"
 #include "vertex/viewport.h"
 
 #endif

@@ -1,4 +1,5 @@
-/* vertex/corner.c: where lines of a triangle meet, exactly. Called by clip.c. See corner.h.
+/* vertex/corner.c: where lines of a triangle meet, exactly. Called by corner_clip.c, clip.c and
+ * varying.c. See corner.h.
  *
  * Widths: a line's numbers have 42 bits, weights are differences of two products of them, 85
  * bits, and a corner's distance or coordinate is a sum of three weights times 42 bits. */
@@ -20,6 +21,13 @@ static uint64_t size(int64_t v)
 }
 
 /* ---- weights -------------------------------------------------------------------------------- */
+
+int8_t etch_corner_which(const struct corner *c)
+{
+    const bool is_vertex = c->line[0] < CORNER_EDGES && c->line[1] < CORNER_EDGES;
+
+    return (int8_t)(is_vertex ? CORNER_EDGES - c->line[0] - c->line[1] : -1);
+}
 
 void etch_corner_vertex(struct corner *corner, uint8_t i)
 {
