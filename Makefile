@@ -173,7 +173,7 @@ check: ## all that CI runs
 	$(call steps,check,$(CHECK_STEPS))
 
 DEPS := gcc make libc6-dev gcc-multilib clang clang-tidy clang-format libclang-rt-dev cppcheck \
-        gcc-arm-none-eabi gcc-avr gcc-riscv64-unknown-elf qemu-system-arm valgrind \
+        gcc-arm-none-eabi gcc-avr gcc-riscv64-unknown-elf qemu-system-arm qemu-system-misc valgrind \
         python3 universal-ctags
 SUDO = $(if $(filter 0,$(shell id -u)),,sudo)
 .PHONY: deps
@@ -191,4 +191,4 @@ clean: ## removes build/
 	rm -rf $(BUILD)
 
 # Folders may bring targets of their own.
--include $(wildcard tests/*/*.mk ports/*/*.mk)
+-include $(wildcard ports/*/*.mk tests/*/*.mk)

@@ -1,0 +1,57 @@
+# Boards under emulation: every scene of scenes.c on every board of ports/*/board.mk, compared bit
+# for bit with the host's frame by what reached the display. A board.mk says
+#
+#   BOARDS += NAME
+#   NAME_CC      compiler, with what chooses the CPU        NAME_LINK     linker script and flags
+#   NAME_SOURCES start-up, bus, panel                        NAME_STRIP    pixels in a strip
+#   NAME_BUFFERS 1 or 2                                      NAME_FRAME    "WIDTH HEIGHT" it shows
+#   NAME_SHOW    command that runs an ELF file and writes what the display shows, big-endian RGB565:
+#                it is called as  NAME_SHOW ELF >FRAME  in the top folder, with BUILD set
+
+
+FREESTANDING := ports/freestanding/memory.c
+CORTEX_M := $(addprefix ports/cortex_m/,start.c print.c) $(FREESTANDING)
+CORTEX_M_EXIT := ports/cortex_m/exit.c # ends the emulation
+CORTEX_M_IDLE := ports/cortex_m/idle.c # goes on to show the screen
+SPI_LCD := $(sort $(wildcard ports/spi_lcd/*.c))
+
+
+TARGET_DIR := $(BUILD)/targets
+TARGET_SCENES := shapes torus floor
+TARGET_MAIN := tests/targets/scenes.c
+TARGET_FLAGS := $(WARN) -ffreestanding -O2 -g -ffunction-sections -fdata-sections -I.
+
+$(TARGET_DIR)/reference: $(call obj,tests/targets/reference.c tests/targets/scenes.c $(SPI_LCD)) \
+    $(SIMLIB) $(LIB)
+	$(Q)$(CC) $(OPT) $(EXTRA) $^ -o $@
+$(TARGET_DIR)/glass: $(call obj,tests/targets/glass.c) $(SIMLIB) $(LIB)
+	$(Q)$(CC) $(OPT) $(EXTRA) $^ -o $@
+
+# $(call board,NAME): objects, a library of core and hal, a firmware for each scene.
+define board
+$(1)_OBJ := $$(patsubst %,$(TARGET_DIR)/$(1)/%.o,$$(basename $$($(1)_SOURCES) $(TARGET_MAIN)))
+$(TARGET_DIR)/$(1)/%.o: %.c
+	@mkdir -p $$(@D)
+	$(Q)$$($(1)_CC) $(TARGET_FLAGS) -MMD -MP -c $$< -o $$@
+$(TARGET_DIR)/$(1)/%.o: %.S
+	@mkdir -p $$(@D)
+	$(Q)$$($(1)_CC) -I. -c $$< -o $$@
+$(TARGET_DIR)/$(1)/libetch.a: $$(patsubst %.c,$(TARGET_DIR)/$(1)/%.o,$(CORE) $(HAL))
+	@rm -f $$@
+	$(Q)$(AR) rcs $$@ $$^
+$(TARGET_DIR)/$(1)/%.elf: tests/targets/firmware.c $$($(1)_OBJ) $(TARGET_DIR)/$(1)/libetch.a
+	$(Q)$$($(1)_CC) $(TARGET_FLAGS) -DSCENE=$$* -DSTRIP=$$($(1)_STRIP) -DBUFFERS=$$($(1)_BUFFERS) \
+	    -nostdlib -Llinker $$($(1)_LINK) -Wl,--gc-sections -Wl,--fatal-warnings $$^ -lgcc -o $$@
+run-$(1): $(TARGET_DIR)/reference $(TARGET_DIR)/glass $(foreach n,0 1 2,$(TARGET_DIR)/$(1)/$(n).elf) \
+    ## the scenes on this board
+	$(Q)BUILD=$(BUILD) sh tests/targets/compare.sh $(1) "$$($(1)_FRAME)" "$$($(1)_SHOW)" \
+	    $(TARGET_SCENES)
+.PHONY: run-$(1)
+.PRECIOUS: $(TARGET_DIR)/$(1)/%.o $(TARGET_DIR)/$(1)/%.elf
+-include $$(patsubst %.o,%.d,$$($(1)_OBJ))
+endef
+$(foreach b,$(BOARDS),$(eval $(call board,$(b))))
+
+.PHONY: test-targets
+test-targets: ## every board under emulation
+	$(call steps,targets,$(addprefix run-,$(BOARDS)))
