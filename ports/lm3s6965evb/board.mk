@@ -2,7 +2,7 @@
 BOARDS += lm3s6965evb
 lm3s6965evb_CC := arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb
 lm3s6965evb_SOURCES = ports/lm3s6965evb/board.c $(CORTEX_M) $(CORTEX_M_IDLE) $(SPI_LCD)
-lm3s6965evb_LINK := -T lm3s6965evb.ld
+lm3s6965evb_LINK := -nostdlib -Llinker -T lm3s6965evb.ld
 lm3s6965evb_STRIP := 2048
 lm3s6965evb_BUFFERS := 1
 lm3s6965evb_FRAME := 128 64 ssd0323

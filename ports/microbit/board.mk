@@ -1,7 +1,7 @@
 BOARDS += microbit
 microbit_CC := arm-none-eabi-gcc -mcpu=cortex-m0 -mthumb
 microbit_SOURCES = ports/microbit/board.c $(CORTEX_M) $(CORTEX_M_EXIT) $(SPI_LCD)
-microbit_LINK := -T microbit.ld
+microbit_LINK := -nostdlib -Llinker -T microbit.ld
 microbit_STRIP := 1280
 microbit_BUFFERS := 1
 microbit_FRAME := 320 240

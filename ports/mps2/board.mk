@@ -7,7 +7,7 @@ mps2-an385_CC := arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb
 mps2-an386_CC := arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb
 $(foreach b,mps2-an385 mps2-an386,\
     $(eval $(b)_SOURCES = ports/mps2/board.c $$(CORTEX_M) $$(CORTEX_M_EXIT) $$(SPI_LCD))\
-    $(eval $(b)_LINK := -T mps2_lcd.ld)\
+    $(eval $(b)_LINK := -nostdlib -Llinker -T mps2_lcd.ld)\
     $(eval $(b)_STRIP := 5120)\
     $(eval $(b)_BUFFERS := 1)\
     $(eval $(b)_FRAME := 320 240)\

@@ -2,10 +2,10 @@
 BOARDS += versatilepb vexpress-a15
 versatilepb_CC := arm-none-eabi-gcc -mcpu=arm926ej-s -marm -DPL11X_BASE=0x10120000 \
     -DPL11X_CONTROL=0x18 -DPL11X_FORMAT=4 -DPL11X_MUX=0x10000050
-versatilepb_LINK := -T versatilepb.ld
+versatilepb_LINK := -nostdlib -Llinker -T versatilepb.ld
 vexpress-a15_CC := arm-none-eabi-gcc -mcpu=cortex-a15 -marm -mfloat-abi=soft \
     -mno-unaligned-access -DPL11X_BASE=0x1C1F0000 -DPL11X_CONTROL=0x18 -DPL11X_FORMAT=6
-vexpress-a15_LINK := -T vexpress_a15.ld
+vexpress-a15_LINK := -nostdlib -Llinker -T vexpress_a15.ld
 $(foreach b,versatilepb vexpress-a15,\
     $(eval $(b)_SOURCES = ports/pl11x/start.S ports/pl11x/board.c $$(FREESTANDING))\
     $(eval $(b)_STRIP := 76800)\

@@ -6,7 +6,7 @@ riscv32-virt_QEMU := qemu-system-riscv32
 riscv64-virt_QEMU := qemu-system-riscv64
 $(foreach b,riscv32-virt riscv64-virt,\
     $(eval $(b)_SOURCES = ports/riscv_virt/start.S ports/riscv_virt/board.c $$(FREESTANDING))\
-    $(eval $(b)_LINK := -T riscv_virt.ld -Wl,--no-warn-rwx-segments)\
+    $(eval $(b)_LINK := -nostdlib -Llinker -T riscv_virt.ld -Wl,--no-warn-rwx-segments)\
     $(eval $(b)_STRIP := 76800)\
     $(eval $(b)_BUFFERS := 1)\
     $(eval $(b)_FRAME := 320 240)\

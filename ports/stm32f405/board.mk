@@ -1,7 +1,7 @@
 BOARDS += stm32f405
 stm32f405_CC := arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb
 stm32f405_SOURCES = ports/stm32f405/board.c $(CORTEX_M) $(CORTEX_M_EXIT) $(SPI_LCD)
-stm32f405_LINK := -T stm32f405.ld
+stm32f405_LINK := -nostdlib -Llinker -T stm32f405.ld
 stm32f405_STRIP := 5120
 stm32f405_BUFFERS := 1
 stm32f405_FRAME := 320 240

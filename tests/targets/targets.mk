@@ -41,7 +41,7 @@ $(TARGET_DIR)/$(1)/libetch.a: $$(patsubst %.c,$(TARGET_DIR)/$(1)/%.o,$(CORE) $(H
 	$(Q)$(AR) rcs $$@ $$^
 $(TARGET_DIR)/$(1)/%.elf: tests/targets/firmware.c $$($(1)_OBJ) $(TARGET_DIR)/$(1)/libetch.a
 	$(Q)$$($(1)_CC) $(TARGET_FLAGS) -DSCENE=$$* -DSTRIP=$$($(1)_STRIP) -DBUFFERS=$$($(1)_BUFFERS) \
-	    -nostdlib -Llinker $$($(1)_LINK) -Wl,--gc-sections -Wl,--fatal-warnings $$^ -lgcc -o $$@
+	    $$($(1)_LINK) -Wl,--gc-sections -Wl,--fatal-warnings $$^ -lgcc -o $$@
 run-$(1): $(TARGET_DIR)/reference $(TARGET_DIR)/glass $(foreach n,0 1 2,$(TARGET_DIR)/$(1)/$(n).elf) \
     ## the scenes on this board
 	$(Q)BUILD=$(BUILD) sh tests/targets/compare.sh $(1) "$$($(1)_FRAME)" "$$($(1)_SHOW)" \
