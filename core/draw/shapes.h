@@ -28,5 +28,7 @@ void etch_surface_clear(const struct etch_surface *s, uint16_t color);
 /* Every depth inside the clip becomes `depth`, 65535 for "nothing drawn yet". The surface must
  * have a depth plane. */
 void etch_depth_clear(const struct etch_surface *s, uint16_t depth);
+/* Every stencil value inside the clip becomes `value`. The surface must have a stencil plane. */
+void etch_stencil_clear(const struct etch_surface *s, uint8_t value);
 
 #endif

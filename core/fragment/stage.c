@@ -10,22 +10,23 @@ static void run_stages(struct etch_chunk *c, const struct etch_stage *stage)
 
 static void run_row(struct etch_chunk *c, struct etch_run run, const struct etch_stage *stages)
 {
-    int16_t left = (int16_t)(run.x1 - run.x0); /* 0 <= x0 <= x1 <= 32767 */
+    uint16_t left = (uint16_t)(run.x1 - run.x0); /* 0 <= x0 <= x1 <= 32767 */
 
+    if (left == 0)
+        return;
     c->first = etch_surface_index(c->surface, run.x0, c->y);
     c->x = run.x0;
-    while (left > 0) {
-        const int16_t block = (int16_t)(ETCH_CHUNK - (c->x & (ETCH_CHUNK - 1)));
-        const int16_t n = left < block ? left : block;
+    do {
+        const uint16_t block = (uint16_t)(ETCH_CHUNK - (c->x & (ETCH_CHUNK - 1)));
 
-        c->n = (uint16_t)n;
-        c->alive = (uint16_t)((UINT32_C(1) << n) - 1);
+        c->n = left < block ? left : block;
+        c->alive = (uint16_t)((UINT32_C(1) << c->n) - 1);
         c->stencilled = 0;
         run_stages(c, stages);
-        c->first += (size_t)n;
-        c->x = (int16_t)(c->x + n);
-        left = (int16_t)(left - n);
-    }
+        left = (uint16_t)(left - c->n);
+        c->first += c->n;
+        c->x = (int16_t)(c->x + (int16_t)c->n);
+    } while (left != 0);
 }
 
 void etch_kernel_staged(const struct etch_surface *surface, int16_t y0, const struct etch_run *runs,

@@ -12,9 +12,8 @@ static uint32_t error_of(const struct etch_triangle *t, uint32_t span)
     return (uint32_t)((exact >> 1) + (t->x1 - t->x0) + (t->y1 - t->y0)) + 10 + (span >> 26);
 }
 
-/* One coordinate, 16.16 at the caller's vertices, in a plane with `extra` more bits. Values are
- * taken against their least and with as many more bits as the span leaves. */
-static void coordinate(struct etch_plane *plane, const struct etch_triangle *t,
+/* Values are taken against their least and with as many more bits as the span leaves. */
+void etch_texture_axis(struct etch_plane *plane, const struct etch_triangle *t,
                        const struct etch_basis *basis, const etch_q16 c[3], uint8_t extra)
 {
     etch_q16 least = c[0], most = c[0];
@@ -52,6 +51,6 @@ void etch_texture_affine(struct etch_plane *u, struct etch_plane *v, const struc
     const etch_q16 us[3] = {vertex[0]->u, vertex[1]->u, vertex[2]->u};
     const etch_q16 vs[3] = {vertex[0]->v, vertex[1]->v, vertex[2]->v};
 
-    coordinate(u, t, basis, us, 4);
-    coordinate(v, t, basis, vs, width_bits);
+    etch_texture_axis(u, t, basis, us, 4);
+    etch_texture_axis(v, t, basis, vs, width_bits);
 }

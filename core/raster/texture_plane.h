@@ -25,6 +25,11 @@ void etch_texture_affine(struct etch_plane *u, struct etch_plane *v, const struc
                          const struct etch_basis *basis,
                          const struct etch_texture_vertex *const vertex[3], uint8_t width_bits);
 
+/* One of the two by itself: the coordinate c[i] of the caller's vertex i, 16.16, as a plane with
+ * `extra` more bits, 0 .. 12, modulo 2^32. */
+void etch_texture_axis(struct etch_plane *plane, const struct etch_triangle *t,
+                       const struct etch_basis *basis, const etch_q16 c[3], uint8_t extra);
+
 /* The planes of u/w, v/w and 1/w. True if the triangle may be drawn with a divide every 16 pixels:
  * if in no block that it touches 1/w falls below half of its least vertex, nor a coordinate changes
  * by more than 4096 texels. Otherwise every pixel needs its divide.

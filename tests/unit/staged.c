@@ -1,0 +1,563 @@
+/* tests/unit: staged pixel work is that of the fused kernels bit for bit where both exist; sources
+ * keep their bounds against exact rationals; clips and strips change nothing; stages of one's own. */
+#include "core/draw/shapes.h"
+#include "core/draw/staged.h"
+#include "core/draw/texture.h"
+#include "core/draw/triangle.h"
+#include "core/fragment/blend.h"
+#include "core/fragment/flat.h"
+#include "core/fragment/gouraud.h"
+#include "core/fragment/sampler.h"
+#include "core/fragment/test.h"
+#include "core/fragment/texture.h"
+#include "core/fragment/write.h"
+#include "tests/harness/canvas.h"
+#include "tests/harness/sample.h"
+#include "tests/oracle/texture.h"
+
+void suite_staged(void);
+
+static struct test_canvas canvas;
+static struct etch_staged_planes planes;
+
+#define END                                                                                        \
+    {                                                                                              \
+        NULL, NULL                                                                                 \
+    }
+
+/* ---- the same as fused ------------------------------------------------------------------------ */
+
+static etch_varying *const smooth_depth[] = {etch_varying_color, etch_varying_depth, NULL};
+static etch_varying *const flat_depth[] = {etch_varying_flat, etch_varying_depth, NULL};
+
+static const struct etch_stage smooth_lequal[] = {
+    {etch_source_depth, NULL}, {etch_stage_depth_lequal, NULL}, {etch_stage_depth_write, NULL},
+    {etch_source_color, NULL}, {etch_stage_write, NULL},        END};
+static const struct etch_stage smooth_swapped[] = {
+    {etch_source_color, NULL},      {etch_source_depth, NULL},        {etch_stage_depth_less, NULL},
+    {etch_stage_depth_write, NULL}, {etch_stage_write_swapped, NULL}, END};
+static const struct etch_stage flat_less[] = {
+    {etch_source_flat, NULL},       {etch_source_depth, NULL}, {etch_stage_depth_less, NULL},
+    {etch_stage_depth_write, NULL}, {etch_stage_write, NULL},  END};
+
+static const struct {
+    struct etch_pipeline staged;
+    etch_triangle_painter *painter;
+    etch_kernel *kernel;
+} twins[] = {
+    {{smooth_depth, smooth_lequal, etch_kernel_staged},
+     etch_triangle_gouraud_depth,
+     etch_kernel_gouraud_lequal},
+    {{smooth_depth, smooth_swapped, etch_kernel_staged},
+     etch_triangle_gouraud_depth,
+     etch_kernel_gouraud_less_swapped},
+    {{flat_depth, flat_less, etch_kernel_staged}, etch_triangle_flat_depth, etch_kernel_flat_less},
+};
+
+/* Every second sample on a plane of depths that some pixels pass and some do not. */
+static void prepare(const struct test_sample *s, int32_t i)
+{
+    test_canvas_wipe(&canvas);
+    if (i % 2 != 0)
+        etch_depth_clear(&canvas.surface, (uint16_t)(s->vertex[i % 3].z_q16 >> 16));
+}
+
+static void staged_is_fused(void)
+{
+    uint32_t seed = 61;
+    int32_t i, k;
+
+    for (i = 0; i < TEST_COUNT(2000) && !test_failed(); i++) {
+        for (k = 0; k < 3; k++) {
+            struct test_sample s;
+            const struct etch_vertex *const v[3] = {&s.vertex[0], &s.vertex[1], &s.vertex[2]};
+            uint32_t hash;
+
+            test_sample_make(&s, &canvas, i, &seed);
+            prepare(&s, i);
+            twins[k].painter(&canvas.surface, v, twins[k].kernel);
+            hash = test_canvas_hash(&canvas);
+            prepare(&s, i);
+            etch_triangle_staged(&canvas.surface, v, &twins[k].staged, &planes);
+            if (!CHECK_EQ(test_canvas_hash(&canvas), hash))
+                test_sample_note(&s, k, i);
+            CHECK_INSIDE(&canvas);
+        }
+    }
+}
+
+/* ---- textures ----------------------------------------------------------------------------------- */
+
+static const uint16_t texels[8 * 4] = {1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11,
+                                       12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22,
+                                       23, 24, 25, 26, 27, 28, 29, 30, 31, 32};
+static const struct etch_sampler sampler = {{etch_texels_rgb565, NULL, texels, NULL, NULL, 8, 4, 8},
+                                            etch_filter_nearest,
+                                            etch_texels_repeat,
+                                            etch_texels_repeat};
+
+static etch_varying *const textured[] = {etch_varying_texture, NULL};
+static etch_varying *const textured_perspective[] = {etch_varying_texture_perspective, NULL};
+static const struct etch_stage replace[] = {{etch_source_texture, NULL},
+                                            {etch_stage_texture_replace, &sampler},
+                                            {etch_stage_write, NULL},
+                                            END};
+static const struct etch_stage replace_perspective[] = {{etch_source_texture_perspective, NULL},
+                                                        {etch_stage_texture_replace, &sampler},
+                                                        {etch_stage_write, NULL},
+                                                        END};
+
+static void give_texture(struct etch_texture_vertex out[3], const struct test_sample *s,
+                         uint32_t *seed)
+{
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        out[k].at = s->vertex[k];
+        out[k].u = test_range(seed, -100 * 65536, 100 * 65536);
+        out[k].v = test_range(seed, -100 * 65536, 100 * 65536);
+        out[k].w = (uint32_t)test_range(seed, 1, 65535);
+    }
+    if (test_range(seed, 0, 3) == 0) /* what is off the frame may leave the range of 16.16 */
+        out[test_range(seed, 0, 2)].u = INT32_MAX;
+}
+
+static void textures_in_perspective_are_the_exact_kernel(void)
+{
+    static const struct etch_pipeline staged = {textured_perspective, replace_perspective,
+                                                etch_kernel_staged};
+    struct etch_texture texture;
+    uint32_t seed = 62;
+    int32_t i;
+
+    CHECK_EQ(etch_texture_init(&texture, texels, 8, 4), ETCH_OK);
+    for (i = 0; i < TEST_COUNT(2000) && !test_failed(); i++) {
+        struct etch_texture_vertex t[3];
+        const struct etch_texture_vertex *const v[3] = {&t[0], &t[1], &t[2]};
+        const struct etch_vertex *const plain[3] = {&t[0].at, &t[1].at, &t[2].at};
+        struct test_sample s;
+        uint32_t hash;
+
+        test_sample_make(&s, &canvas, i, &seed);
+        give_texture(t, &s, &seed);
+        if (etch_triangle_is_parallel(v))
+            continue;
+        etch_triangle_perspective(&canvas.surface, v, &texture, &etch_perspective_exact);
+        hash = test_canvas_hash(&canvas);
+        test_canvas_wipe(&canvas);
+        etch_triangle_staged(&canvas.surface, plain, &staged, &planes);
+        if (!CHECK_EQ(test_canvas_hash(&canvas), hash))
+            test_sample_note(&s, 0, i);
+    }
+}
+
+/* One texel a pixel is a copy, wherever it begins. */
+static void textures_one_to_one_are_copies(void)
+{
+    static const struct etch_pipeline staged = {textured, replace, etch_kernel_staged};
+    const struct etch_rect window = {0, 0, 40, 30};
+    int32_t x, y, i;
+
+    for (i = 0; i < 9; i++) {
+        const int32_t u = (i * 7 - 20) * 65536, v = (i * 5 - 11) * 65536, size = 50;
+        const struct etch_texture_vertex t[3] = {
+            {{0, 0, 0, 0, 0, 0, 0}, u, v, 1},
+            {{2 * size * 256, 0, 0, 0, 0, 0, 0}, u + 2 * size * 65536, v, 1},
+            {{0, 2 * size * 256, 0, 0, 0, 0, 0}, u, v + 2 * size * 65536, 1}};
+        const struct etch_vertex *const plain[3] = {&t[0].at, &t[1].at, &t[2].at};
+
+        test_canvas_open(&canvas, window);
+        etch_triangle_staged(&canvas.surface, plain, &staged, &planes);
+        for (y = 0; y < 30; y++)
+            for (x = 0; x < 40; x++)
+                CHECK_EQ(test_canvas_at(&canvas, x, y),
+                         texels[((y + v / 65536) & 3) * 8 + ((x + u / 65536) & 7)]);
+    }
+}
+
+/* ---- bounds of the sources: a stage that keeps what it sees -------------------------------------- */
+
+static struct {
+    uint16_t value[4];
+    int32_t u, v;
+} seen[48][64];
+
+static void keep(struct etch_chunk *c, const void *data)
+{
+    const struct etch_surface *s = c->surface;
+    uint16_t i;
+
+    (void)data;
+    for (i = 0; i < c->n; i++) {
+        const int32_t x = c->x + i - s->window.x0, y = c->y - s->window.y0;
+
+        CHECK((c->x + i) / ETCH_CHUNK == c->x / ETCH_CHUNK && (c->alive >> i & 1) != 0);
+        CHECK_EQ(c->first + i, etch_surface_index(s, (int16_t)(c->x + i), c->y));
+        seen[y][x].value[0] = c->r[i];
+        seen[y][x].value[1] = c->g[i];
+        seen[y][x].value[2] = c->b[i];
+        seen[y][x].value[3] = c->a[i];
+        s->pixels[c->first + i] = TEST_INK;
+    }
+}
+
+static etch_varying *const linear[] = {etch_varying_color, etch_varying_alpha, NULL};
+static const struct etch_stage linear_kept[] = {
+    {etch_source_color, NULL}, {etch_source_alpha, NULL}, {keep, NULL}, END};
+static etch_varying *const perspective[] = {etch_varying_color_perspective, NULL};
+static const struct etch_stage perspective_kept[] = {
+    {etch_source_color_perspective, NULL}, {keep, NULL}, END};
+
+static int32_t worst[2][4]; /* 2^-20 of full, above what the format rounds */
+
+/* |got - exact| in 2^-20 of full: exact from the oracle as 8.22. */
+static int64_t error_of(uint16_t got, uint32_t full, uint64_t exact)
+{
+    const int64_t want = (int64_t)(exact - (UINT64_C(1) << 31)); /* 255 2^22 is full */
+    const int64_t mine = (int64_t)got * 255 * (INT64_C(1) << 22) / (int64_t)full;
+    const int64_t off = (mine - want) / (255 << 2);
+
+    return off < 0 ? -off : off;
+}
+
+/* Red, green, blue and alpha of every pixel: 31 2^11 of full is 1/63488, 16.5 of 2^-20, and so on.
+ * A format that is cut is off by up to a unit, one that is rounded by half. */
+static void check_values(const struct test_sample *s, const uint32_t w[3], bool rounded)
+{
+    static const uint32_t full[4] = {31 << 11, 63 << 10, 31 << 11, 255 << 8};
+    const struct etch_rect c = canvas.surface.window;
+    int32_t x, y;
+    int k;
+
+    for (y = c.y0; y < c.y1; y++) {
+        for (x = c.x0; x < c.x1; x++) {
+            if (!oracle_triangle_covers(&s->exact, x, y)) {
+                CHECK_EQ(test_canvas_at(&canvas, x, y), TEST_BACKGROUND);
+                continue;
+            }
+            for (k = 0; k < 4; k++) {
+                const struct etch_vertex *v = s->vertex;
+                const int32_t value[3] = {(k == 0   ? v[0].r
+                                           : k == 1 ? v[0].g
+                                           : k == 2 ? v[0].b
+                                                    : v[0].a)
+                                              << 22,
+                                          (k == 0   ? v[1].r
+                                           : k == 1 ? v[1].g
+                                           : k == 2 ? v[1].b
+                                                    : v[1].a)
+                                              << 22,
+                                          (k == 0   ? v[2].r
+                                           : k == 1 ? v[2].g
+                                           : k == 2 ? v[2].b
+                                                    : v[2].a)
+                                              << 22};
+                const uint64_t exact = oracle_texture(&s->exact, x, y, value, w, 0);
+                const int64_t off = error_of(seen[y - c.y0][x - c.x0].value[k], full[k], exact);
+                /* of a step of 2^20 / 31 or 63: 1/64 is 528 or 260; alpha: 1/512 + 1/512 is 16 */
+                const int64_t allowed = k == 3 ? 16 + 1 : k == 1 ? 260 : 528;
+
+                if (off > worst[rounded][k])
+                    worst[rounded][k] = (int32_t)off;
+                if (!CHECK(off <= allowed)) {
+                    test_sample_note(s, x, y);
+                    test_note("channel", k);
+                    test_note("w0", w != NULL ? w[0] : 0);
+                    test_note("w1", w != NULL ? w[1] : 0);
+                    test_note("w2", w != NULL ? w[2] : 0);
+                    return;
+                }
+            }
+        }
+    }
+}
+
+static void random_alpha(struct test_sample *s, uint32_t *seed)
+{
+    const int kind = test_range(seed, 0, 2);
+    int k;
+
+    for (k = 0; k < 3; k++)
+        s->vertex[k].a = (uint8_t)(kind == 0   ? test_range(seed, 0, 255)
+                                   : kind == 1 ? 255 * test_range(seed, 0, 1)
+                                               : 17);
+}
+
+static void linear_sources_keep_their_bounds(void)
+{
+    static const struct etch_pipeline kept = {linear, linear_kept, etch_kernel_staged};
+    uint32_t seed = 63;
+    int32_t i;
+
+    for (i = 0; i < TEST_COUNT(700) && !test_failed(); i++) {
+        struct test_sample s;
+        const struct etch_vertex *const v[3] = {&s.vertex[0], &s.vertex[1], &s.vertex[2]};
+
+        test_sample_make(&s, &canvas, i, &seed);
+        if (canvas.surface.window.x0 > 2000) /* alpha drifts beyond; see source.h */
+            continue;
+        random_alpha(&s, &seed);
+        etch_triangle_staged(&canvas.surface, v, &kept, &planes);
+        check_values(&s, NULL, false);
+    }
+}
+
+/* Any w, ratios up to 1 : 65535, every kind of triangle, all over the plane. */
+static void perspective_sources_keep_their_bounds(void)
+{
+    static const struct etch_pipeline kept = {perspective, perspective_kept, etch_kernel_staged};
+    uint32_t seed = 64;
+    int32_t i;
+
+    for (i = 0; i < TEST_COUNT(700) && !test_failed(); i++) {
+        struct test_sample s;
+        struct etch_texture_vertex t[3];
+        const struct etch_vertex *const v[3] = {&t[0].at, &t[1].at, &t[2].at};
+        const int kind = test_range(&seed, 0, 3);
+        uint32_t w[3];
+        int k;
+
+        test_sample_make(&s, &canvas, i, &seed);
+        random_alpha(&s, &seed);
+        for (k = 0; k < 3; k++) {
+            w[k] = (uint32_t)(kind == 0   ? test_range(&seed, 1, 65535)
+                              : kind == 1 ? 65534 * test_range(&seed, 0, 1) + 1
+                              : kind == 2 ? test_range(&seed, 60000, 65535)
+                                          : 1 << test_range(&seed, 0, 15));
+            t[k].at = s.vertex[k];
+            t[k].u = t[k].v = 0;
+            t[k].w = w[k] << (i % 3 * 8);
+        }
+        etch_triangle_staged(&canvas.surface, v, &kept, &planes);
+        check_values(&s, w, true);
+    }
+}
+
+/* Never outside what the vertices span once rounded, and equal colours stay equal, for all w. */
+static void perspective_stays_between_the_vertices(void)
+{
+    static const struct etch_stage written[] = {
+        {etch_source_color_perspective, NULL}, {etch_stage_write, NULL}, END};
+    static const struct etch_pipeline pipeline = {perspective, written, etch_kernel_staged};
+    uint32_t seed = 65;
+    int32_t i, x, y;
+
+    for (i = 0; i < TEST_COUNT(1500) && !test_failed(); i++) {
+        struct test_sample s;
+        struct etch_texture_vertex t[3];
+        const struct etch_vertex *const v[3] = {&t[0].at, &t[1].at, &t[2].at};
+        uint16_t least[3] = {63, 63, 63}, most[3] = {0, 0, 0};
+        const struct etch_rect *c = &canvas.surface.window;
+        uint32_t hash;
+        int k, n;
+
+        test_sample_make(&s, &canvas, i, &seed);
+        for (k = 0; k < 3; k++) {
+            const uint32_t w = test_random(&seed);
+            const struct etch_vertex *q = &s.vertex[k];
+            const uint16_t color = (uint16_t)((2 * 31 * q->r + 255) / 510 << 11 |
+                                              (2 * 63 * q->g + 255) / 510 << 5 |
+                                              (2 * 31 * q->b + 255) / 510);
+
+            t[k].at = *q;
+            t[k].u = t[k].v = 0;
+            t[k].w = w >> test_range(&seed, 0, 31);
+            for (n = 0; n < 3; n++) {
+                const uint16_t value = (uint16_t)(n == 0   ? color >> 11
+                                                  : n == 1 ? color >> 5 & 63
+                                                           : color & 31);
+
+                least[n] = value < least[n] ? value : least[n];
+                most[n] = value > most[n] ? value : most[n];
+            }
+        }
+        etch_triangle_staged(&canvas.surface, v, &pipeline, &planes);
+        for (y = c->y0; y < c->y1; y++) {
+            for (x = c->x0; x < c->x1; x++) {
+                const uint16_t p = test_canvas_at(&canvas, x, y);
+
+                if (oracle_triangle_covers(&s.exact, x, y) &&
+                    !CHECK(p >> 11 >= least[0] && p >> 11 <= most[0] && (p >> 5 & 63) >= least[1] &&
+                           (p >> 5 & 63) <= most[1] && (p & 31) >= least[2] && (p & 31) <= most[2]))
+                    test_sample_note(&s, x, y);
+            }
+        }
+        hash = test_canvas_hash(&canvas);
+        for (k = 1; k < 6; k++) { /* the order of the vertices changes no value */
+            const struct etch_vertex *const other[3] = {v[test_orders[k][0]], v[test_orders[k][1]],
+                                                        v[test_orders[k][2]]};
+
+            test_canvas_wipe(&canvas);
+            etch_triangle_staged(&canvas.surface, other, &pipeline, &planes);
+            CHECK_EQ(test_canvas_hash(&canvas), hash);
+        }
+    }
+}
+
+/* ---- clips and strips ------------------------------------------------------------------------------ */
+
+/* A pipeline with everything that reads planes; each pixel of a narrow clip is that of the whole. */
+static void clipped_is_masked(void)
+{
+    static etch_varying *const all[] = {etch_varying_color_perspective, etch_varying_depth,
+                                        etch_varying_texture_perspective, NULL};
+    static const struct etch_stage stages[] = {{etch_source_depth, NULL},
+                                               {etch_stage_depth_lequal, NULL},
+                                               {etch_stage_depth_write, NULL},
+                                               {etch_source_color_perspective, NULL},
+                                               {etch_source_texture_perspective, NULL},
+                                               {etch_stage_texture_modulate, &sampler},
+                                               {etch_stage_read, NULL},
+                                               {etch_stage_blend_alpha, NULL},
+                                               {etch_stage_write, NULL},
+                                               END};
+    static const struct etch_pipeline pipeline = {all, stages, etch_kernel_staged};
+    static uint16_t whole[2][48 * 64];
+    uint32_t seed = 66;
+    int32_t i, x, y;
+
+    for (i = 0; i < TEST_COUNT(1000) && !test_failed(); i++) {
+        struct test_sample s;
+        struct etch_texture_vertex t[3];
+        const struct etch_vertex *const v[3] = {&t[0].at, &t[1].at, &t[2].at};
+        struct etch_rect window, clip;
+        int32_t n = 0, wrong = 0;
+
+        test_sample_make(&s, &canvas, i, &seed);
+        random_alpha(&s, &seed);
+        give_texture(t, &s, &seed);
+        for (x = 0; x < 3; x++)
+            t[x].at = s.vertex[x];
+        etch_triangle_staged(&canvas.surface, v, &pipeline, &planes);
+        window = canvas.surface.window;
+        for (y = window.y0; y < window.y1; y++)
+            for (x = window.x0; x < window.x1; x++, n++) {
+                const size_t at = etch_surface_index(&canvas.surface, (int16_t)x, (int16_t)y);
+
+                whole[0][n] = canvas.surface.pixels[at];
+                whole[1][n] = canvas.surface.depth[at];
+            }
+        clip.x0 = (int16_t)test_range(&seed, window.x0, window.x1 - 1);
+        clip.y0 = (int16_t)test_range(&seed, window.y0, window.y1 - 1);
+        clip.x1 = (int16_t)test_range(&seed, clip.x0, window.x1);
+        clip.y1 = (int16_t)test_range(&seed, clip.y0, window.y1);
+        test_canvas_clip(&canvas, clip);
+        etch_triangle_staged(&canvas.surface, v, &pipeline, &planes);
+        CHECK_ONCE(&canvas);
+        for (n = 0, y = window.y0; y < window.y1; y++)
+            for (x = window.x0; x < window.x1; x++, n++) {
+                const size_t at = etch_surface_index(&canvas.surface, (int16_t)x, (int16_t)y);
+
+                if (x >= clip.x0 && x < clip.x1 && y >= clip.y0 && y < clip.y1)
+                    wrong += whole[0][n] != canvas.surface.pixels[at] ||
+                             whole[1][n] != canvas.surface.depth[at];
+            }
+        if (!CHECK_EQ(wrong, 0))
+            test_sample_note(&s, 0, 0);
+    }
+}
+
+/* ---- one's own --------------------------------------------------------------------------------------- */
+
+/* A varying and a source of one's own behind the shipped planes, and a stage that drops pixels. */
+struct distance_planes {
+    struct etch_staged_planes shipped;
+    struct etch_plane distance;
+};
+
+static void set_distance(struct etch_staged_planes *p, const struct etch_varying_input *in)
+{
+    static const uint32_t value[3] = {0, 0, UINT32_C(8) << 16};
+
+    etch_plane_setup(&((struct distance_planes *)(void *)p)->distance, in->triangle, value);
+}
+
+static void drop_far(struct etch_chunk *c, const void *data)
+{
+    const struct distance_planes *p = (const struct distance_planes *)(const void *)c->paint;
+    uint16_t i;
+
+    for (i = 0; i < c->n; i++)
+        if (etch_plane_at(&p->distance, (int16_t)(c->x + i), c->y) >> 16 >= *(const uint32_t *)data)
+            c->alive = (uint16_t)(c->alive & ~(UINT32_C(1) << i));
+}
+
+static void stages_and_varyings_of_ones_own(void)
+{
+    static const uint32_t limit = 3;
+    static etch_varying *const varyings[] = {etch_varying_flat, set_distance, NULL};
+    static const struct etch_stage stages[] = {
+        {etch_source_flat, NULL}, {drop_far, &limit}, {etch_stage_write, NULL}, END};
+    static const struct etch_pipeline pipeline = {varyings, stages, etch_kernel_staged};
+    static struct distance_planes own;
+    const struct etch_vertex a = {0, 0, 0, 0, 0, 8, 0}, b = {8 * 256, 0, 0, 0, 0, 8, 0};
+    const struct etch_vertex c = {0, 8 * 256, 0, 0, 0, 8, 0};
+    const struct etch_vertex *const v[3] = {&a, &b, &c};
+    const struct etch_rect window = {0, 0, 9, 5};
+
+    test_canvas_open(&canvas, window);
+    etch_triangle_staged(&canvas.surface, v, &pipeline, &own.shipped);
+    CHECK_PICTURE(&canvas, "aaaaaaa.."
+                           "aaaaaa..."
+                           "aaaaa...."
+                           "........."
+                           ".........");
+}
+
+/* A kernel of one's own over the planes that the painter sets up: no stages at all. */
+static void dots(const struct etch_surface *s, int16_t y0, const struct etch_run *runs, uint8_t n,
+                 const struct etch_paint *paint)
+{
+    const struct etch_staged_planes *p = (const struct etch_staged_planes *)(const void *)paint;
+    uint8_t i;
+
+    for (i = 0; i < n; i++) {
+        const int16_t y = (int16_t)(y0 + i);
+        int16_t x;
+
+        for (x = runs[i].x0; x < runs[i].x1; x++)
+            if ((x + y) % 2 == 0)
+                s->pixels[etch_surface_index(s, x, y)] =
+                    (uint16_t)(etch_plane_at(&p->color.linear.b, x, y) >> 27);
+    }
+}
+
+static void kernels_of_ones_own(void)
+{
+    static etch_varying *const varyings[] = {etch_varying_color, NULL};
+    static const struct etch_pipeline pipeline = {varyings, NULL, dots};
+    const struct etch_vertex a = {0, 0, 0, 0, 0, 8, 0}, b = {6 * 256, 0, 0, 0, 0, 8, 0};
+    const struct etch_vertex c = {0, 6 * 256, 0, 0, 0, 8, 0};
+    const struct etch_vertex *const v[3] = {&a, &b, &c};
+    const struct etch_rect window = {0, 0, 7, 4};
+
+    test_canvas_open(&canvas, window);
+    etch_triangle_staged(&canvas.surface, v, &pipeline, &planes);
+    CHECK_PICTURE(&canvas, "a.a.a.."
+                           ".a.a..."
+                           "a.a...."
+                           ".a.....");
+}
+
+static void print_worst(int rounded, const char *label)
+{
+    test_print_count(
+        label,
+        (worst[rounded][0] > worst[rounded][2] ? worst[rounded][0] : worst[rounded][2]) * 31 / 256,
+        "/4096 step before rounding, allowed 64");
+}
+
+void suite_staged(void)
+{
+    RUN(staged_is_fused);
+    RUN(textures_in_perspective_are_the_exact_kernel);
+    RUN(textures_one_to_one_are_copies);
+    RUN(linear_sources_keep_their_bounds);
+    RUN(perspective_sources_keep_their_bounds);
+    RUN(perspective_stays_between_the_vertices);
+    RUN(clipped_is_masked);
+    RUN(stages_and_varyings_of_ones_own);
+    RUN(kernels_of_ones_own);
+    print_worst(0, "largest error of linear red and blue ");
+    print_worst(1, "largest error of red and blue in perspective ");
+}
