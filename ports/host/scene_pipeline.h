@@ -17,9 +17,11 @@ struct etch_scene_state {
     uint8_t front;   /* ccw cw */
     uint8_t stencil; /* off, or a function, then .. */
     uint8_t stencil_reference, stencil_mask, stencil_operation[3];
-    uint8_t tex;    /* off replace modulate */
+    uint8_t tex;    /* off replace modulate decal */
     uint8_t filter; /* nearest linear */
     uint8_t wrap;   /* repeat clamp mirror */
+    uint8_t wrap_v; /* same, or 1 + as wrap */
+    uint8_t mipmap; /* off on */
     uint8_t atest;  /* off on */
     uint8_t atest_reference;
     uint8_t mode; /* precise fast exact */

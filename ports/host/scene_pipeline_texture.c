@@ -130,6 +130,8 @@ static const char *beyond_table(const struct etch_scene_state *state)
     return state->tex != 1      ? "tex"
            : state->filter != 0 ? "filter"
            : state->wrap != 0   ? "wrap"
+           : state->wrap_v > 1  ? "wrapv"
+           : state->mipmap != 0 ? "mipmap"
                                 : NULL;
 }
 

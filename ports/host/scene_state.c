@@ -18,9 +18,11 @@ static const char *const tests[] = {"off",     "never",    "less",   "equal",  "
 static const char *const blends[] = {"off", "alpha", "add", "mul", NULL};
 static const char *const culls[] = {"off", "back", "front", NULL};
 static const char *const windings[] = {"ccw", "cw", NULL};
-static const char *const texs[] = {"off", "replace", "modulate", NULL};
+static const char *const texs[] = {"off", "replace", "modulate", "decal", NULL};
 static const char *const filters[] = {"nearest", "linear", NULL};
 static const char *const wraps[] = {"repeat", "clamp", "mirror", NULL};
+static const char *const wraps_v[] = {"same", "repeat", "clamp", "mirror", NULL};
+static const char *const off_on[] = {"off", "on", NULL};
 static const char *const modes[] = {"precise", "fast", "exact", NULL};
 static const char *const operations[] = {"keep",   "zero",     "replace",  "incr", "decr",
                                          "invert", "incrwrap", "decrwrap", NULL};
@@ -36,6 +38,8 @@ static const struct choice choices[] = {
     {"tex", offsetof(struct etch_scene_state, tex), texs},
     {"filter", offsetof(struct etch_scene_state, filter), filters},
     {"wrap", offsetof(struct etch_scene_state, wrap), wraps},
+    {"wrapv", offsetof(struct etch_scene_state, wrap_v), wraps_v},
+    {"mipmap", offsetof(struct etch_scene_state, mipmap), off_on},
     {"mode", offsetof(struct etch_scene_state, mode), modes},
 };
 

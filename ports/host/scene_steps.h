@@ -16,14 +16,9 @@
 #include "../../core/draw/mesh.h"
 #include "scene.h"
 #include "scene_pipeline.h"
+#include "scene_texture.h"
 
 struct etch_scene_step;
-
-/* A texture of the scene, in its format once it is read. */
-struct etch_scene_texture {
-    int32_t width, height;
-    uint16_t *texel; /* from malloc */
-};
 
 /* A scene while it is drawn on a surface. */
 struct etch_scene_run {
@@ -86,7 +81,7 @@ struct etch_scene_reader {
     int frac;
     struct etch_scene_state state;
     struct etch_scene_view view;
-    const struct etch_scene_texture *texture; /* the latest, or NULL */
+    struct etch_scene_texture *texture; /* the latest, or NULL */
 };
 
 struct etch_scene_statement {
