@@ -136,7 +136,7 @@ CHECK_STEPS += bench-leaves
 bench-leaves: $(LEAVES)/leaves.elf ## proves the leaf loops of ARMv6-M against the portable C
 	@QEMU_AUDIO_DRV=none timeout 300 qemu-system-arm -M mps2-an385 -display none -monitor none \
 	    -serial none -semihosting-config enable=on,target=native -kernel $<
-	@echo "1800 calls of leaf loops write what the portable C writes"
+	@echo "2400 calls of leaf loops write what the portable C writes"
 
 .PHONY: profile
 profile: $(BENCH_RUNS) ## instructions per function (W=6 CORES=m0plus; PROFILE=line, PROFILE=insn)

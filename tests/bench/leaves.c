@@ -52,9 +52,15 @@ static bool fill_differs(uint32_t widest)
     return differ();
 }
 
-/* A block of runs, some empty, up to `widest`, on a window that begins anywhere. */
+/* What runs are made of: they begin within `spread` columns and are `least` pixels or more, `widest`
+ * less one at most. */
+struct shape {
+    uint32_t spread, least, widest;
+};
+
+/* A block of runs, some empty, on a window that begins anywhere. */
 static bool kernel_differs(etch_kernel *a, etch_kernel *b, const struct etch_paint *paint,
-                           uint32_t widest)
+                           struct shape shape)
 {
     const int16_t x = (int16_t)below(20), y = (int16_t)below(20);
     const struct etch_rect window = {x, y, (int16_t)(x + 700), (int16_t)(y + 40)};
@@ -68,8 +74,9 @@ static bool kernel_differs(etch_kernel *a, etch_kernel *b, const struct etch_pai
     t = s;
     t.pixels = (uint16_t *)portable;
     for (uint8_t i = 0; i < n; i++) {
-        runs[i].x0 = (int16_t)(x + (int16_t)below(90));
-        runs[i].x1 = (int16_t)(runs[i].x0 + (int16_t)below(widest));
+        runs[i].x0 = (int16_t)(x + (int16_t)below(shape.spread));
+        runs[i].x1 = (int16_t)(runs[i].x0 + (int16_t)shape.least +
+                               (int16_t)below(shape.widest - shape.least));
     }
     wipe();
     a(&s, y0, runs, n, paint);
@@ -82,6 +89,33 @@ static struct etch_plane plane(void)
     const struct etch_plane p = {wl_next(&seed), wl_next(&seed), wl_next(&seed)};
 
     return p;
+}
+
+/* One that keeps its range in columns 0 .. 719 and rows 0 .. 59, with steps up or down. */
+static struct etch_plane gentle_plane(void)
+{
+    const struct etch_plane p = {(UINT32_C(1) << 31) + below(1 << 20), below(1 << 22) - (1 << 21),
+                                 below(1 << 22) - (1 << 21)};
+
+    return p;
+}
+
+/* One that nearly uses up its range in columns 0 .. 59. */
+static struct etch_plane steep_plane(void)
+{
+    const uint32_t step = below(UINT32_MAX / 60);
+    const struct etch_plane rises = {below(1 << 20), step, 0};
+    const struct etch_plane falls = {UINT32_MAX - below(1 << 20), 0 - step, 0};
+
+    return below(2) == 0 ? rises : falls;
+}
+
+static bool gouraud_differs(struct etch_plane (*make)(void), struct shape shape)
+{
+    const struct etch_gouraud_paint paint = {
+        {etch_kernel_gouraud}, {0, 0, 0}, make(), make(), make()};
+
+    return kernel_differs(etch_kernel_gouraud, portable_etch_kernel_gouraud, &paint.paint, shape);
 }
 
 /* Pixels that say where they are and which paint they had, however spans are cut. */
@@ -150,16 +184,15 @@ int main(void)
     seed = 1;
     for (uint32_t i = 0; i < 300; i++) {
         const struct etch_flat_paint flat = {{etch_kernel_flat}, (uint16_t)wl_next(&seed)};
-        const struct etch_gouraud_paint gouraud = {
-            {etch_kernel_gouraud}, {0, 0, 0}, plane(), plane(), plane()};
-        const uint32_t widest = i % 2 == 0 ? 12 : 600;
+        const struct shape narrow = {90, 0, 12}, wide = {90, 0, 600}, steep = {4, 26, 36};
 
         if (fill_differs(i % 2 == 0 ? 40 : 3000))
             return 1;
-        if (kernel_differs(etch_kernel_flat, portable_etch_kernel_flat, &flat.paint, widest))
+        if (kernel_differs(etch_kernel_flat, portable_etch_kernel_flat, &flat.paint,
+                           i % 2 == 0 ? narrow : wide))
             return 2;
-        if (kernel_differs(etch_kernel_gouraud, portable_etch_kernel_gouraud, &gouraud.paint,
-                           widest))
+        if (gouraud_differs(plane, narrow) || gouraud_differs(gentle_plane, wide) ||
+            gouraud_differs(steep_plane, steep))
             return 3;
         if (line_differs())
             return 4;
