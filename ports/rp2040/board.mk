@@ -1,0 +1,17 @@
+BOARDS += rp2040
+rp2040_CC := arm-none-eabi-gcc -mcpu=cortex-m0plus -mthumb
+rp2040_SOURCES = $(addprefix ports/rp2040/,boot2.S board.c clocks.c) ports/cortex_m/start.c \
+    $(FREESTANDING) $(SPI_LCD)
+rp2040_LINK := -nostdlib -Llinker -T rp2040.ld
+rp2040_STRIP := 5120
+rp2040_BUFFERS := 2
+rp2040_FRAME := 320 240
+rp2040_SHOW = sh tests/targets/rp2040js.sh ili9341 1 byte=1 data.level=2:1 select.level=2:2 \
+    reset.level=2:4
+
+# A file to drop on a real Pico.
+$(BUILD)/rp2040-%.uf2: $(BUILD)/targets/rp2040/%.elf
+	$(Q)arm-none-eabi-objcopy -O binary $< $@.bin
+	$(Q)python3 ports/rp2040/uf2.py $@.bin $@
+.PHONY: uf2
+uf2: $(BUILD)/rp2040-0.uf2 $(BUILD)/rp2040-1.uf2 $(BUILD)/rp2040-2.uf2 ## images for a Raspberry Pi Pico
