@@ -54,6 +54,7 @@
 #include "base/trig.h"
 #include "base/weights.h"
 #include "draw/mesh.h"
+#include "draw/mesh_varying.h"
 #include "draw/polygon.h"
 #include "draw/retained.h"
 #include "draw/shapes.h"

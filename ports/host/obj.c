@@ -34,7 +34,7 @@ static bool read_vector(struct obj_file *file, struct obj_vector **list, size_t 
     struct etch_decimal dropped;
     void *data = *list;
 
-    if (*count >= OBJ_NO_NORMAL - 1 || !etch_array_grow(&data, capacity, *count, sizeof **list)) {
+    if (*count >= OBJ_NONE - 1 || !etch_array_grow(&data, capacity, *count, sizeof **list)) {
         return no_memory(file);
     }
     *list = data;
@@ -52,14 +52,21 @@ static bool read_vector(struct obj_file *file, struct obj_vector **list, size_t 
     return true;
 }
 
-/* u [v [w]], counted so that faces can be checked */
+/* u [v [w]]; v is 0 where it is not given */
 static bool read_texture_vertex(struct obj_file *file)
 {
-    struct etch_decimal dropped;
+    static const struct obj_vector zero;
+    void *data = file->vt;
     int n = 0;
 
+    if (file->vt_count >= OBJ_NONE - 1 ||
+        !etch_array_grow(&data, &file->vt_capacity, file->vt_count, sizeof *file->vt)) {
+        return no_memory(file);
+    }
+    file->vt = data;
+    file->vt[file->vt_count] = zero;
     do {
-        if (!read_number(file, "u", &dropped)) {
+        if (!read_number(file, "u", &file->vt[file->vt_count].c[n])) {
             return false;
         }
     } while (++n < 3 && etch_text_more(&file->text));
@@ -89,7 +96,6 @@ static bool take_index(struct obj_file *file, const char *name, struct etch_word
 static bool read_corner(struct obj_file *file, struct obj_corner *corner)
 {
     struct etch_word word, part[3] = {{NULL, 0}, {NULL, 0}, {NULL, 0}};
-    uint32_t texture;
     int n = 0;
 
     if (!etch_text_word(&file->text, "corner", &word)) {
@@ -108,9 +114,9 @@ static bool read_corner(struct obj_file *file, struct obj_corner *corner)
     if ((n == 1 && part[1].size == 0) || (n == 2 && part[2].size == 0)) {
         return etch_text_fail(&file->text, "\"%s\" ends early", etch_word_show(word).text);
     }
-    corner->vn = OBJ_NO_NORMAL;
+    corner->vt = corner->vn = OBJ_NONE;
     return take_index(file, "v", part[0], file->v_count, &corner->v) &&
-           (part[1].size == 0 || take_index(file, "vt", part[1], file->vt_count, &texture)) &&
+           (part[1].size == 0 || take_index(file, "vt", part[1], file->vt_count, &corner->vt)) &&
            (part[2].size == 0 || take_index(file, "vn", part[2], file->vn_count, &corner->vn));
 }
 
@@ -205,6 +211,7 @@ bool etch_obj_read(struct etch_obj *obj, struct etch_text *text)
     text->data = NULL;
     free(file.v);
     free(file.vn);
+    free(file.vt);
     free(file.corner);
     if (!ok) {
         etch_obj_close(obj);
@@ -225,6 +232,7 @@ void etch_obj_close(struct etch_obj *obj)
 {
     free(obj->positions);
     free(obj->normals);
+    free(obj->coordinates);
     free(obj->indices);
     *obj = (struct etch_obj){.scale = 0};
 }

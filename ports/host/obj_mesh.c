@@ -1,6 +1,6 @@
 /* ports/host/obj_mesh.c: from the lists of an OBJ file to an indexed mesh. obj.c calls it.
  *
- *      scale -> positions as int16 -> normals of v (averages) -> pairs (v, vn) -> mesh */
+ *      scale -> positions as int16 -> normals of v (averages) -> corners (v, vt, vn) -> mesh */
 #include <stdlib.h>
 #include <string.h>
 
@@ -92,7 +92,7 @@ static bool vertex_of(struct builder *b, struct obj_corner corner, uint16_t *ind
 {
     uint32_t at = b->first[corner.v];
 
-    while (at != 0 && b->vertex[at - 1].vn != corner.vn) {
+    while (at != 0 && (b->vertex[at - 1].vn != corner.vn || b->vertex[at - 1].vt != corner.vt)) {
         at = b->next[at - 1];
     }
     if (at == 0) {
@@ -127,7 +127,7 @@ static void fill_vertices(struct builder *b)
         for (size_t axis = 0; axis < 3; axis++) {
             b->obj->positions[i * 3 + axis] = (int16_t)b->position[(size_t)corner.v * 3 + axis];
         }
-        if (corner.vn == OBJ_NO_NORMAL) {
+        if (corner.vn == OBJ_NONE) {
             memcpy(n, &b->average[(size_t)corner.v * 3], sizeof n);
         } else {
             obj_written_normal(&b->file->vn[corner.vn], n);
@@ -188,6 +188,7 @@ bool obj_build(struct etch_obj *obj, const struct obj_file *file)
     if (ok) {
         fill_vertices(&b);
         describe(&b);
+        ok = obj_coordinates(obj, file, b.vertex);
     }
     free(b.position);
     free(b.average);

@@ -2,6 +2,7 @@
  * and lit when it is read, and only rasterised when it is drawn: once for every strip. */
 #include <stdlib.h>
 
+#include "../../core/draw/mesh_varying.h"
 #include "array.h"
 #include "obj.h"
 #include "scene_steps.h"
@@ -10,9 +11,11 @@ struct etch_scene_mesh {
     struct etch_obj obj;
     struct etch_lighting lighting;
     struct etch_light light[ETCH_SCENE_LIGHTS];
-    struct etch_mesh_stage stage;
+    struct etch_mesh_texture_stage stage; /* whose coordinates a mesh with a texture has */
+    struct etch_texture texture;
     struct etch_assembly assembly;
-    struct etch_mesh_vertex *vertex; /* transformed */
+    struct etch_mesh_vertex *vertex;           /* transformed: this .. */
+    struct etch_mesh_texture_vertex *textured; /* .. or, with a texture, this */
 };
 
 /* Model units of the mesh to those of the file, which differ by 2^(bits - scale). */
@@ -52,8 +55,42 @@ static bool aim_lights(struct etch_scene_reader *reader, struct etch_scene_mesh 
     return true;
 }
 
+/* The vertices, without a texture or with one. */
+static bool transform(struct etch_scene_reader *reader, struct etch_scene_mesh *mesh, bool textured)
+{
+    const struct etch_viewport *viewport = &mesh->assembly.viewport;
+    const size_t count = mesh->obj.mesh.vertex_count;
+    struct etch_mesh_texture_stage *stage = &mesh->stage;
+
+    if (textured && mesh->obj.coordinates == NULL) {
+        return etch_text_fail(&reader->text,
+                              "\"state tex\" needs a mesh with a vt at every corner");
+    }
+    if (!textured) {
+        mesh->vertex = calloc(count, sizeof *mesh->vertex);
+    } else {
+        mesh->textured = calloc(count, sizeof *mesh->textured);
+    }
+    if (mesh->vertex == NULL && mesh->textured == NULL) {
+        return etch_text_fail(&reader->text, "out of memory");
+    }
+    if (!textured) {
+        etch_mesh_transform(&stage->stage, viewport, mesh->vertex);
+        reader->scene->vertex_bytes += count * sizeof *mesh->vertex;
+        return true;
+    }
+    stage->inner = stage->stage.vertex;
+    stage->stage.vertex = etch_vertex_textured;
+    stage->coordinates = mesh->obj.coordinates;
+    stage->scale_u = (etch_q16)1 << (mesh->texture.width_bits + 16 - mesh->obj.coordinate_bits);
+    stage->scale_v = (etch_q16)1 << (mesh->texture.height_bits + 16 - mesh->obj.coordinate_bits);
+    etch_mesh_transform_varying(&stage->stage, viewport, mesh->textured, 2);
+    reader->scene->vertex_bytes += count * sizeof *mesh->textured;
+    return true;
+}
+
 /* Everything that does not depend on the strip: matrices, light, the vertices themselves. */
-static bool prepare(struct etch_scene_reader *reader, struct etch_scene_mesh *mesh)
+static bool prepare(struct etch_scene_reader *reader, struct etch_scene_mesh *mesh, bool textured)
 {
     const struct etch_rect frame = {0, 0, reader->scene->width, reader->scene->height};
     const struct etch_matrix model = reader->view.model;
@@ -65,20 +102,14 @@ static bool prepare(struct etch_scene_reader *reader, struct etch_scene_mesh *me
     if (!ok) {
         return false;
     }
-    mesh->vertex = calloc(mesh->obj.mesh.vertex_count, sizeof *mesh->vertex);
-    if (mesh->vertex == NULL) {
-        return etch_text_fail(&reader->text, "out of memory");
-    }
-    etch_mesh_stage_init(&mesh->stage, &mesh->obj.mesh, &m, etch_vertex_lit, &mesh->lighting);
+    etch_mesh_stage_init(&mesh->stage.stage, &mesh->obj.mesh, &m, etch_vertex_lit, &mesh->lighting);
     for (int i = 0; i < 4; i++) {
-        mesh->stage.color[i] = reader->view.material[i];
+        mesh->stage.stage.color[i] = reader->view.material[i];
     }
     mesh->assembly.cull = etch_scene_cull(&reader->state);
     mesh->assembly.flat = reader->state.shade != 0;
     (void)etch_viewport_init(&mesh->assembly.viewport, frame);
-    etch_mesh_transform(&mesh->stage, &mesh->assembly.viewport, mesh->vertex);
-    reader->scene->vertex_bytes += mesh->obj.mesh.vertex_count * sizeof *mesh->vertex;
-    return true;
+    return transform(reader, mesh, textured);
 }
 
 /* An empty mesh that the scene owns. */
@@ -99,6 +130,40 @@ static struct etch_scene_mesh *new_mesh(struct etch_scene_reader *reader)
     return mesh;
 }
 
+/* The sink of a mesh with a texture. */
+struct texture_sink {
+    struct etch_sink sink; /* first */
+    struct etch_scene_run *run;
+    const struct etch_scene_step *step;
+};
+
+static void paint_texture(struct etch_sink *sink, const struct etch_vertex *const v[3])
+{
+    const struct texture_sink *s = (const void *)sink;
+    const struct etch_texture_vertex *const textured[3] = {(const void *)v[0], (const void *)v[1],
+                                                           (const void *)v[2]};
+
+    if (s->run->stats != NULL) {
+        s->run->stats->triangles++;
+    }
+    etch_scene_paint_texture(s->run, s->step->pipeline, textured, &s->step->of.mesh->texture);
+}
+
+static void draw_textured(struct etch_scene_run *run, const struct etch_scene_step *step)
+{
+    const struct etch_scene_mesh *mesh = step->of.mesh;
+    struct etch_assembly assembly = mesh->assembly;
+    struct texture_sink sink = {{.triangle = paint_texture}, run, step};
+
+    assembly.sink = &sink.sink;
+    etch_mesh_assemble_varying(&mesh->stage.stage, &assembly, mesh->textured, 2);
+}
+
+static const struct etch_scene_statement textured_mesh = {
+    "mesh", NULL, draw_textured,
+    "etch_mesh_transform_varying etch_mesh_assemble_varying etch_vertex_textured etch_vertex_lit",
+    NULL};
+
 static void draw_mesh(struct etch_scene_run *run, const struct etch_scene_step *step)
 {
     const struct etch_scene_mesh *mesh = step->of.mesh;
@@ -107,7 +172,7 @@ static void draw_mesh(struct etch_scene_run *run, const struct etch_scene_step *
 
     etch_scene_sink_init(&sink, run, step->pipeline);
     assembly.sink = &sink.raster.sink;
-    etch_mesh_assemble(&mesh->stage, &assembly, mesh->vertex);
+    etch_mesh_assemble(&mesh->stage.stage, &assembly, mesh->vertex);
 }
 
 static bool read_mesh(struct etch_scene_reader *reader,
@@ -131,17 +196,21 @@ static bool read_mesh(struct etch_scene_reader *reader,
         return false;
     }
     if (step->pipeline->texture != NULL) {
-        return etch_text_fail(&reader->text, "drawing a mesh with this \"state tex\" is not "
-                                             "supported yet");
+        step->statement = &textured_mesh;
+        if (!etch_scene_take_texture(reader, &mesh->texture)) {
+            return false;
+        }
     }
     return etch_text_open_named(&text, path, name, &reader->text) &&
-           etch_obj_read(&mesh->obj, &text) && prepare(reader, mesh);
+           etch_obj_read(&mesh->obj, &text) &&
+           prepare(reader, mesh, step->pipeline->texture != NULL);
 }
 
 void etch_scene_mesh_free(struct etch_scene_mesh *mesh)
 {
     etch_obj_close(&mesh->obj);
     free(mesh->vertex);
+    free(mesh->textured);
     free(mesh);
 }
 

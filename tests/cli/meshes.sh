@@ -81,3 +81,4 @@ for size in '0.001 0.004' '300 1200' '8000 32000'; do
     draws "a mesh of size $s" "scene 4 4\ncamera 0 0 0 0 0 -1\nparallel ${size#* } -9 9
 ambient 255 255 255\nmaterial 0 255 0\nmesh right.obj\n" "$picture"
 done
+obj '0: a texture coordinate is too large' 'v 0 0 0\nvt 0 40000\nf 1/1 1/1 1/1\n'

@@ -158,6 +158,35 @@ static void the_limit_is_checked(void)
     CHECK(strstr(error.text, ":4: more than 65535 triangles") != NULL);
 }
 
+/* vt with as many bits as fit, t from the top; corners that differ in vt alone are two vertices. */
+static void texture_coordinates_are_kept(void)
+{
+    struct etch_obj obj;
+
+    if (!read_text(&obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0.25\nvt 0.5\n"
+                         "f 1/1 2/2 3/3\nf 1/2 2/2 3/3\n"))
+        return;
+    CHECK_EQ(obj.mesh.vertex_count, 4);
+    CHECK_EQ(obj.coordinate_bits, 14);
+    CHECK_EQ(obj.coordinates[0], 0);
+    CHECK_EQ(obj.coordinates[1], 16384);
+    CHECK_EQ(obj.coordinates[2], 16384);
+    CHECK_EQ(obj.coordinates[3], 12288);
+    CHECK_EQ(obj.coordinates[4], 8192);
+    CHECK_EQ(obj.coordinates[5], 16384);
+    CHECK_EQ(obj.coordinates[6], 16384);
+    etch_obj_close(&obj);
+    if (!read_text(&obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 -3\nf 1/1 2/1 3\n"))
+        return;
+    CHECK(obj.coordinates == NULL);
+    etch_obj_close(&obj);
+    if (!read_text(&obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 -3\nf 1/1 2/1 3/1\n"))
+        return;
+    CHECK_EQ(obj.coordinate_bits, 12);
+    CHECK_EQ(obj.coordinates[1], 4 * 4096);
+    etch_obj_close(&obj);
+}
+
 void suite_obj(void)
 {
     RUN(scale_is_the_greatest_that_fits);
@@ -166,4 +195,5 @@ void suite_obj(void)
     RUN(missing_normals_are_averaged);
     RUN(the_teapot_is_a_mesh);
     RUN(the_limit_is_checked);
+    RUN(texture_coordinates_are_kept);
 }

@@ -151,7 +151,7 @@ scene '4: drawing with a texture of 8192 x 8 is not' \
 scene '2: wide.ppm has a side' 'scene 8 8\ntexture ppm wide.ppm\n'
 rm "$out/zeros" "$out/wide.ppm"
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >"$out/right.obj"
-scene '4: drawing a mesh with this "state tex" is not' \
+scene '4: "state tex" needs a mesh with a vt' \
     "scene 8 8\nstate tex replace\n$ramp\nmesh right.obj\n"
 for z in '-3 1' '1.5 1' '0 0'; do
     scene '4: a textured ctri that is to be clipped' \
