@@ -1,7 +1,7 @@
-// tests/targets: rp2040js.mjs ELF.bin MODULES: runs a firmware on rp2040js (a package of npm, in
-// MODULES) until its breakpoint. Writes its bytes on SPI0 and its pins D/C, CS and RESET in the form
-// that glass.c reads; what it says, and what it cost, goes to standard error. A byte takes as long as
-// on the wire at 31.25 MHz.
+// tests/targets: rp2040js.mjs IMAGE.uf2 MODULES: puts an image into the flash of rp2040js (a package of
+// npm, in MODULES), starts it as the boot ROM would and runs it until its breakpoint. Writes its bytes
+// on SPI0 and its pins D/C, CS and RESET in the form that glass.c reads; what it says, and what it
+// cost, goes to standard error. A byte takes as long as on the wire at 31.25 MHz.
 import { readFileSync, writeSync } from "fs";
 import { createRequire } from "module";
 import { resolve } from "path";
@@ -12,13 +12,35 @@ const LIMIT = 2e9;
 const mcu = new RP2040();
 const quiet = () => {};
 mcu.logger = { debug: quiet, info: quiet, warn: quiet, error: quiet };
-mcu.flash.set(readFileSync(image), 0);
 
-// The boot ROM would run the second stage, which does this.
-const vectors = 0x10000100;
-mcu.core.VTOR = vectors;
-mcu.core.SP = mcu.readUint32(vectors);
-mcu.core.PC = mcu.readUint32(vectors + 4) & ~1;
+const refuse = (reason) => {
+    console.error(reason);
+    process.exit(1);
+};
+
+// UF2: blocks of 512 bytes, 256 of them for flash.
+const FLASH = 0x10000000, FAMILY = 0xe48bff56;
+const file = readFileSync(image);
+for (let at = 0; at < file.length; at += 512) {
+    const block = new DataView(file.buffer, file.byteOffset + at, 512);
+    const word = (i) => block.getUint32(i, true);
+    if (word(0) !== 0x0a324655 || word(4) !== 0x9e5d5157 || word(508) !== 0x0ab16f30 ||
+        word(16) !== 256 || word(28) !== FAMILY || word(20) !== at / 512)
+        refuse(`block ${at / 512} is not one of UF2 for an RP2040`);
+    mcu.flash.set(file.subarray(at + 32, at + 32 + 256), word(12) - FLASH);
+}
+
+// The boot ROM checks the second stage, copies it to the end of RAM and runs it there.
+const STAGE = 0x20041f00;
+let crc = 0xffffffff;
+for (const byte of mcu.flash.subarray(0, 252)) {
+    crc ^= byte << 24;
+    for (let bit = 0; bit < 8; bit++) crc = crc < 0 || crc >= 0x80000000 ? (crc << 1) ^ 0x04c11db7 : crc << 1;
+}
+if (crc >>> 0 !== mcu.readUint32(FLASH + 252)) refuse("the second stage has a wrong checksum");
+for (let i = 0; i < 256; i += 4) mcu.writeUint32(STAGE + i, mcu.readUint32(FLASH + i));
+mcu.core.SP = STAGE;
+mcu.core.PC = STAGE;
 
 let lines = [];
 const line = (text) => {
