@@ -1,0 +1,9 @@
+/* frame/filter_average.c: the average of nine pixels. Called by applications, once a
+ * strip. See filter.h. */
+#include "filter_kernel.h"
+
+void etch_filter_average(struct etch_carry *c, const struct etch_surface *source,
+                         const struct etch_surface *strip)
+{
+    filter_walk(c, source, strip, NULL, filter_nine, false);
+}

@@ -1,0 +1,11 @@
+/* frame/filter_swapped.c: any 3 x 3 kernel in the order of most panels. Called by applications, once a strip. See
+ * filter.h. */
+#include "filter_kernel.h"
+
+void etch_filter_draw_swapped(struct etch_carry *c, const struct etch_surface *source,
+                              const struct etch_surface *strip, const struct etch_weights *weights)
+{
+    const struct filter_scale scale = filter_scale(weights);
+
+    filter_walk(c, source, strip, &scale, filter_any, true);
+}

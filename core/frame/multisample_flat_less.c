@@ -1,0 +1,10 @@
+/* frame/multisample_flat_less.c: triangles in one colour, with depth, on four samples a pixel. Called by applications
+ * and by the sink. See multisample.h. */
+#include "multisample.h"
+#include "multisample_rows.h"
+
+void etch_multisample_flat_less(const struct etch_multisample *m,
+                                const struct etch_vertex *const v[3])
+{
+    sample_paint(m->sample, v, sample_grid, false, etch_depth_less, false);
+}

@@ -1,0 +1,9 @@
+/* frame/shared_flat.c: triangles in one colour, without depth, on samples that neighbours share. Called by applications
+ * and by the sink. See shared.h. */
+#include "shared.h"
+#include "multisample_rows.h"
+
+void etch_shared_flat(const struct etch_shared_samples *m, const struct etch_vertex *const v[3])
+{
+    sample_paint(m->sample, v, sample_pairs, false, NULL, true);
+}

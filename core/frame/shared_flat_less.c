@@ -1,0 +1,10 @@
+/* frame/shared_flat_less.c: triangles in one colour, with depth, on samples that neighbours share. Called by applications
+ * and by the sink. See shared.h. */
+#include "shared.h"
+#include "multisample_rows.h"
+
+void etch_shared_flat_less(const struct etch_shared_samples *m,
+                           const struct etch_vertex *const v[3])
+{
+    sample_paint(m->sample, v, sample_pairs, false, etch_depth_less, true);
+}
