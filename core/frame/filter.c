@@ -3,7 +3,7 @@
 #include "filter_kernel.h"
 
 void etch_filter_draw(struct etch_carry *c, const struct etch_surface *source,
-                      const struct etch_surface *strip, const struct etch_weights *weights)
+                      const struct etch_surface *strip, const struct etch_filter_weights *weights)
 {
     const struct filter_scale scale = filter_scale(weights);
 

@@ -15,24 +15,25 @@
 
 #include "carry.h"
 
-struct etch_weights {
+struct etch_filter_weights {
     int8_t weight[9]; /* row by row, from the upper left neighbour */
     uint8_t divisor;  /* 1 .. 255 */
     int16_t bias;     /* -255 .. 255, of 255: where the result of 0 is to lie */
 };
 
-extern const struct etch_weights etch_weights_average;  /* 1 everywhere, / 9 */
-extern const struct etch_weights etch_weights_blur;     /* 1 2 1, 2 4 2, 1 2 1, / 16 */
-extern const struct etch_weights etch_weights_sharpen;  /* 5 less the four neighbours */
-extern const struct etch_weights etch_weights_laplace;  /* 8 less all neighbours */
-extern const struct etch_weights etch_weights_emboss;   /* lower right less upper left, on grey */
-extern const struct etch_weights etch_weights_identity; /* the source itself */
+extern const struct etch_filter_weights etch_weights_average; /* 1 everywhere, / 9 */
+extern const struct etch_filter_weights etch_weights_blur;    /* 1 2 1, 2 4 2, 1 2 1, / 16 */
+extern const struct etch_filter_weights etch_weights_sharpen; /* 5 less the four neighbours */
+extern const struct etch_filter_weights etch_weights_laplace; /* 8 less all neighbours */
+extern const struct etch_filter_weights
+    etch_weights_emboss; /* lower right less upper left, on grey */
+extern const struct etch_filter_weights etch_weights_identity; /* the source itself */
 
 /* Every channel c of a pixel becomes floor((sum of weight * c) / divisor + B + 1/2), B = bias * 31 or
  * 63 / 255 rounded half up, held to 0 .. 31 or 63. A divisor of 0 counts as 1. Some 180 instructions
  * a pixel. */
 void etch_filter_draw(struct etch_carry *c, const struct etch_surface *source,
-                      const struct etch_surface *strip, const struct etch_weights *weights);
+                      const struct etch_surface *strip, const struct etch_filter_weights *weights);
 
 /* Some 35 instructions a pixel. */
 void etch_filter_average(struct etch_carry *c, const struct etch_surface *source,
@@ -45,7 +46,8 @@ void etch_filter_sobel(struct etch_carry *c, const struct etch_surface *source,
 
 /* The same to a strip in rgb565_swapped. */
 void etch_filter_draw_swapped(struct etch_carry *c, const struct etch_surface *source,
-                              const struct etch_surface *strip, const struct etch_weights *weights);
+                              const struct etch_surface *strip,
+                              const struct etch_filter_weights *weights);
 void etch_filter_average_swapped(struct etch_carry *c, const struct etch_surface *source,
                                  const struct etch_surface *strip);
 void etch_filter_sobel_swapped(struct etch_carry *c, const struct etch_surface *source,

@@ -20,7 +20,7 @@ ETCH_INLINE int32_t filter_bias(int16_t bias, int32_t most)
     return n >= 0 ? n / 255 : -((254 - n) / 255);
 }
 
-ETCH_INLINE struct filter_scale filter_scale(const struct etch_weights *w)
+ETCH_INLINE struct filter_scale filter_scale(const struct etch_filter_weights *w)
 {
     const uint8_t d = w->divisor == 0 ? 1 : w->divisor;
     const struct filter_scale s = {w->weight, pixel_divisor(d),
