@@ -81,6 +81,7 @@ struct etch_perspective_planes {
     struct etch_perspective_axis u, v;
     struct etch_plane denominator; /* 1/w, the greatest vertex 2^29 .. 2^30 */
     int32_t least;                 /* what the denominator is never below */
+    bool blocks;                   /* coordinates may be linear between every 16th pixel */
 };
 
 /* v 2^s modulo 2^32; s = 0 .. 31. */

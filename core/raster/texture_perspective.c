@@ -59,5 +59,6 @@ bool etch_texture_perspective(struct etch_perspective_planes *p, const struct et
 
     etch_texture_plane(&p->denominator, t, basis, inverse);
     p->least = blocks ? least >> 1 : least;
+    p->blocks = blocks;
     return blocks;
 }

@@ -21,6 +21,7 @@ void etch_texture_perspective_small(struct etch_perspective_planes *planes,
     int32_t q[3];
 
     planes->least = etch_texture_inverses(q, vertex);
+    planes->blocks = false;
     axis(&planes->u, p, us, q);
     axis(&planes->v, p, vs, q);
     const uint32_t inverse[3] = {(uint32_t)q[0], (uint32_t)q[1], (uint32_t)q[2]};

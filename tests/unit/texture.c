@@ -167,7 +167,7 @@ static void no_plane_leads_outside_the_texture(void)
         struct etch_perspective_paint p = {
             {divided[i % 6]},
             {0, 0, 0},
-            {{{0, 0, 0}, 0, 0, 0, 0, 0, 0}, {{0, 0, 0}, 0, 0, 0, 0, 0, 0}, {0, 0, 0}, 1},
+            {{{0, 0, 0}, 0, 0, 0, 0, 0, 0}, {{0, 0, 0}, 0, 0, 0, 0, 0, 0}, {0, 0, 0}, 1, true},
             {small, 6, 8},
             2};
         struct etch_perspective_axis *const axes[2] = {&p.coordinates.u, &p.coordinates.v};

@@ -1,0 +1,9 @@
+/* fragment/source_blocks8.c: texture coordinates in perspective, a divide every 8 pixels. A stage;
+ * see source_blocks.h. */
+#include "source_blocks_parts.h"
+
+void etch_source_texture_blocks8(struct etch_chunk *chunk, const void *data)
+{
+    (void)data;
+    etch_source_in_blocks(chunk, 3);
+}
