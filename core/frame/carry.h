@@ -11,7 +11,7 @@
  *      etch_carry_init(&carry, kept, frame, 1, 1);
  *      for every strip:
  *          if (etch_carry_begin(&carry, strip, &source)) .. draw the scene on &source, in rgb565 ..
- *          etch_filter_draw(&carry, &source, strip, &etch_weights_blur);
+ *          etch_filter_draw(&carry, &source, strip, &etch_filter_weights_blur);
  *
  * Strips may come in any order and be areas of the frame: where one does not continue the last, the
  * rows (and columns) about it are drawn too. The pass writes the pixels inside strip->clip.

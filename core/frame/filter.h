@@ -2,7 +2,7 @@
  *
  *      kernel      name                  weights               what it does
  *      any         etch_filter_draw      caller's, or below    sum / divisor + bias
- *      average     etch_filter_average   nine equal ones       the same as with etch_weights_average,
+ *      average     etch_filter_average   nine equal ones       the same as with etch_filter_weights_average,
  *                                                              in a quarter of the time
  *      Sobel       etch_filter_sobel     two differences       (|across| + |down|) / 4: edges light up
  *
@@ -21,13 +21,14 @@ struct etch_filter_weights {
     int16_t bias;     /* -255 .. 255, of 255: where the result of 0 is to lie */
 };
 
-extern const struct etch_filter_weights etch_weights_average; /* 1 everywhere, / 9 */
-extern const struct etch_filter_weights etch_weights_blur;    /* 1 2 1, 2 4 2, 1 2 1, / 16 */
-extern const struct etch_filter_weights etch_weights_sharpen; /* 5 less the four neighbours */
-extern const struct etch_filter_weights etch_weights_laplace; /* 8 less all neighbours */
+extern const struct etch_filter_weights etch_filter_weights_average; /* 1 everywhere, / 9 */
+extern const struct etch_filter_weights etch_filter_weights_blur;    /* 1 2 1, 2 4 2, 1 2 1, / 16 */
 extern const struct etch_filter_weights
-    etch_weights_emboss; /* lower right less upper left, on grey */
-extern const struct etch_filter_weights etch_weights_identity; /* the source itself */
+    etch_filter_weights_sharpen; /* 5 less the four neighbours */
+extern const struct etch_filter_weights etch_filter_weights_laplace; /* 8 less all neighbours */
+extern const struct etch_filter_weights
+    etch_filter_weights_emboss; /* lower right less upper left, on grey */
+extern const struct etch_filter_weights etch_filter_weights_identity; /* the source itself */
 
 /* Every channel c of a pixel becomes floor((sum of weight * c) / divisor + B + 1/2), B = bias * 31 or
  * 63 / 255 rounded half up, held to 0 .. 31 or 63. A divisor of 0 counts as 1. Some 180 instructions
