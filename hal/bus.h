@@ -6,8 +6,9 @@
  *      begin | command 2A | data 00 00 01 3F | wait | .. | command 2C | data <pixels> | wait | end
  *             D/C low       D/C high                       D/C low      D/C high
  *
- * All functions but the interrupt of the transfer run in the thread that draws; none is called
- * from an interrupt. An interrupt calls one function, etch_transfer_done (hal/transfer.h).
+ * All functions run in the thread that draws; none is called from an interrupt. What data starts
+ * goes on in the bus's interrupt, which asks for piece after piece and calls one function,
+ * etch_transfer_done (hal/transfer.h).
  *
  * Errors: 0, or a negative number of the bus's choosing (ETCH_EIO if it has none of its own),
  * which reaches the caller of the frame loop unchanged. After any error no transfer runs; the
@@ -19,12 +20,22 @@
 
 #include "../core/base/fixed.h"
 
+/* Bytes on their way to a panel, piece by piece: in place, or converted as they are asked for. */
+struct etch_pieces {
+    /* The next piece: sets *n, at least 1 and at most the bus's limit; NULL after the last. Called
+     * by the bus alone: first by data, in the thread, before anything is sent, then one call at a
+     * time, from an interrupt or not. A piece stays as it is until next is called for the second
+     * time after it, so one can be sent while the next is made. It may lie at an odd address.
+     * Takes a few dozen instructions, or a conversion's: see ports/spi_lcd/lcd.h. */
+    const uint8_t *(*next)(struct etch_pieces *pieces, uint32_t *n);
+};
+
 struct etch_bus {
     /* The board's own data, handed to nobody else. May be NULL. */
     void *context;
 
-    /* Most bytes that one call of data takes (the counter of a DMA channel); 0: any number. The
-     * panel port splits what is longer. At least 64 if not 0. */
+    /* Most bytes that a piece may have (the counter of a DMA channel); 0: any number. At least 64
+     * if not 0. */
     uint32_t limit;
 
     /* Takes the bus for this panel: locks it against others (a card reader, a touch controller),
@@ -40,11 +51,11 @@ struct etch_bus {
      * D/C may change afterwards. The bytes are the caller's again when it returns. */
     int (*command)(const struct etch_bus *bus, const uint8_t *bytes, uint16_t n);
 
-    /* Starts to send n >= 1 bytes with D/C high, and may return before they are out. The bytes
-     * belong to the bus until wait returns: it may read but not change them. The address may be
-     * odd. The caller calls wait before any other function but delay. If it fails, it has
-     * started nothing, or stopped it. */
-    int (*data)(const struct etch_bus *bus, const uint8_t *bytes, uint32_t n);
+    /* Starts to send all pieces, at least one, with D/C high, and may return before they are out.
+     * `pieces` and all that it reads belong to the bus until wait returns. The caller calls wait
+     * before any other function but delay. If data fails, it has started nothing, or stopped it,
+     * and asks for no more pieces. */
+    int (*data)(const struct etch_bus *bus, struct etch_pieces *pieces);
 
     /* Returns when what data started has left the wire, at once if nothing runs; 0, or the error
      * with which it ended, reported once. It bounds the time: after a stall it stops the

@@ -1,24 +1,56 @@
-/* hal/transfer.c: the end of a transfer, from interrupt to thread. Buses call it. See
- * transfer.h. */
+/* hal/transfer.c: pieces one after the other, and their end from interrupt to thread. Buses call
+ * it. See transfer.h. */
 #include "transfer.h"
 
-uint8_t etch_transfer_start(struct etch_transfer *t)
-{
-    const uint8_t number = (uint8_t)((t->started + 1) & 0xFF);
+/* The compiler moves no store or load across; the volatile fields alone would not stop it. */
+#if defined(__GNUC__)
+#define BARRIER() __asm__ volatile("" : : : "memory")
+#else
+#define BARRIER() ((void)0)
+#endif
 
-    ETCH_ASSERT(!etch_transfer_runs(t));
+/* Starts a piece under a number of its own. */
+static int start(struct etch_transfer *t, const uint8_t *bytes, uint32_t n)
+{
+    t->number = (uint8_t)((t->number + 1) & 0xFF);
+    return t->start(t->context, t->number, bytes, n);
+}
+
+int etch_transfer_start(struct etch_transfer *t, struct etch_pieces *pieces)
+{
+    uint32_t n = 0;
+    const uint8_t *bytes = pieces->next(pieces, &n);
+    int status;
+
+    ETCH_ASSERT(!t->runs && bytes != NULL);
+    /* The second piece is made now: the interrupt may come before `start` returns. */
+    t->pieces = pieces;
+    t->ahead = pieces->next(pieces, &t->ahead_size);
     t->status = ETCH_OK;
-    t->started = number; /* runs from here on */
-    return number;
+    BARRIER();
+    t->runs = true;
+    status = start(t, bytes, n);
+    if (status < 0) {
+        t->runs = false;
+    }
+    return status;
 }
 
 bool etch_transfer_done(struct etch_transfer *t, uint8_t number, int status)
 {
-    if (number != t->started || t->ended == number) {
+    if (!t->runs || number != t->number) {
         return false;
     }
-    t->status = status; /* before `ended`, which lets the thread read it */
-    t->ended = number;
+    if (status >= 0 && t->ahead != NULL) {
+        status = start(t, t->ahead, t->ahead_size);
+        if (status >= 0) {
+            t->ahead = t->pieces->next(t->pieces, &t->ahead_size);
+            return true;
+        }
+    }
+    t->status = status; /* before `runs`, which lets the thread read it */
+    BARRIER();
+    t->runs = false;
     return true;
 }
 
@@ -26,16 +58,15 @@ int etch_transfer_wait(struct etch_transfer *t, int (*pause)(void *context), voi
 {
     int status = ETCH_OK;
 
-    while (etch_transfer_runs(t) && status >= 0) {
+    while (t->runs && status >= 0) {
         status = pause(context);
     }
     if (status < 0) {
-        /* A number that no interrupt has: one that comes from now on is late. */
-        t->started = (uint8_t)((t->started + 1) & 0xFF);
-        t->ended = t->started;
+        t->runs = false; /* a completion that comes from now on is late */
     } else {
         status = t->status;
     }
     t->status = ETCH_OK;
+    BARRIER();
     return status;
 }

@@ -57,8 +57,9 @@ struct etch_panel {
 
     /* The controller. */
     bool selected, in_reset, asleep, on, inverted, all_off, pumped, unlocked;
+    bool pulses;                /* the tearing-effect line is on */
     uint64_t ready_ns, wake_ns; /* before these no command, no waking up */
-    uint8_t orient, mode, mux, format;
+    uint8_t orient, mode, mux, format, brightness;
     int command; /* whose parameters arrive; -1: none yet */
     uint8_t parameter[ETCH_PANEL_PARAMETERS];
     int count, wanted; /* parameters that came, and must come; wanted < 0: any number */
@@ -120,7 +121,9 @@ void etch_panel_execute(struct etch_panel *panel);
 void etch_panel_initial(struct etch_panel *panel);
 /* A byte of pixels. */
 void etch_panel_write(struct etch_panel *panel, uint8_t byte);
-/* Sets the window and begins to write into it. */
+/* Sets the window and begins to write into it at its start. */
 void etch_panel_window(struct etch_panel *panel);
+/* The same for one side of it, which sets the address counter of that side alone. */
+void etch_panel_range(struct etch_panel *panel, bool columns);
 
 #endif

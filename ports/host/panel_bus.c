@@ -93,75 +93,93 @@ static void move(struct etch_panel_bus *b, uint32_t n)
     }
 }
 
-static void interrupt(struct etch_panel_bus *b, uint8_t number, int status)
+/* Stops the DMA: what it has not moved is lost. */
+static void stop(struct etch_panel_bus *b)
 {
-    b->ignored += !etch_transfer_done(&b->transfer, number, status);
+    b->left = 0;
+    etch_panel_interrupt(b->panel);
 }
 
-static const enum etch_panel_fault transfer_faults[] = {
+static const enum etch_panel_fault piece_faults[] = {
     ETCH_PANEL_FAILS, ETCH_PANEL_STALLS, ETCH_PANEL_EARLY, ETCH_PANEL_LATE, ETCH_PANEL_TWICE};
 
-static int data(const struct etch_bus *bus, const uint8_t *bytes, uint32_t n)
+/* The hardware is set up for a piece: by the thread, or by the interrupt of the piece before. */
+static int start(void *context, uint8_t number, const uint8_t *bytes, uint32_t n)
 {
-    struct etch_panel_bus *b = self(bus);
+    struct etch_panel_bus *b = context;
 
-    check(b, "data", true);
-    if (n == 0 || (bus->limit != 0 && n > bus->limit)) {
-        etch_panel_refuse(b->panel, "a transfer of %lu bytes", (unsigned long)n);
+    if (n == 0 || (b->bus.limit != 0 && n > b->bus.limit)) {
+        etch_panel_refuse(b->panel, "a piece of %lu bytes", (unsigned long)n);
+    }
+    if (b->left != 0) {
+        etch_panel_refuse(b->panel, "a piece is started while another runs");
     }
     if (strikes(b, ETCH_PANEL_START_FAILS)) {
         etch_panel_interrupt(b->panel);
         return ETCH_PANEL_FAULT_STATUS;
     }
     b->happens = ETCH_PANEL_NO_FAULT;
-    for (unsigned i = 0; i < sizeof transfer_faults / sizeof transfer_faults[0]; i++) {
-        if (strikes(b, transfer_faults[i])) {
-            b->happens = transfer_faults[i];
+    for (unsigned i = 0; i < sizeof piece_faults / sizeof piece_faults[0]; i++) {
+        if (strikes(b, piece_faults[i])) {
+            b->happens = piece_faults[i];
         }
     }
+    b->pieces++;
     b->bytes = bytes;
     b->left = n;
     b->hash = wrap_hash(bytes, n);
-    b->number = etch_transfer_start(&b->transfer);
-    if (b->happens == ETCH_PANEL_EARLY) {
-        interrupt(b, b->number, ETCH_OK);
-    }
+    b->number = number;
     return ETCH_OK;
 }
 
-/* While the thread waits: the transfer goes on, and interrupts come. */
+/* "Complete": the board's interrupt asks the hardware whether bytes are left, then tells. */
+static void interrupt(struct etch_panel_bus *b, uint8_t number, int status)
+{
+    if (number == b->number && b->left != 0 && etch_transfer_runs(&b->transfer)) {
+        stop(b);
+        status = status < 0 ? status : ETCH_EIO;
+    }
+    b->ignored += !etch_transfer_done(&b->transfer, number, status);
+}
+
+static int data(const struct etch_bus *bus, struct etch_pieces *pieces)
+{
+    struct etch_panel_bus *b = self(bus);
+
+    check(b, "data", true);
+    return etch_transfer_start(&b->transfer, pieces);
+}
+
+/* While the thread waits: the transfer goes on by a piece, and interrupts come. */
 static int pause(void *context)
 {
     struct etch_panel_bus *b = context;
-    const bool breaks = b->happens != ETCH_PANEL_NO_FAULT && b->happens != ETCH_PANEL_TWICE;
+    const enum etch_panel_fault happens = b->happens;
+    const bool breaks = happens != ETCH_PANEL_NO_FAULT && happens != ETCH_PANEL_TWICE;
+    const uint8_t number = b->number;
 
-    if (b->stray != 0) {
+    if (b->has_stray) {
+        b->has_stray = false;
         interrupt(b, b->stray, ETCH_OK);
-        b->stray = 0;
         return ETCH_OK;
     }
     move(b, breaks ? b->left / 2 : b->left);
-    if (b->happens == ETCH_PANEL_STALLS || b->happens == ETCH_PANEL_LATE) {
-        b->stray = b->happens == ETCH_PANEL_LATE ? b->number : 0;
+    b->stray = number;
+    b->has_stray = happens == ETCH_PANEL_LATE || happens == ETCH_PANEL_TWICE;
+    if (happens == ETCH_PANEL_STALLS || happens == ETCH_PANEL_LATE) {
         return ETCH_EIO; /* a time out */
     }
-    b->stray = b->happens == ETCH_PANEL_TWICE ? b->number : 0;
-    interrupt(b, b->number, breaks ? ETCH_PANEL_FAULT_STATUS : ETCH_OK);
+    interrupt(b, number, happens == ETCH_PANEL_FAILS ? ETCH_PANEL_FAULT_STATUS : ETCH_OK);
     return ETCH_OK;
 }
 
 static int wait(const struct etch_bus *bus)
 {
     struct etch_panel_bus *b = self(bus);
-    int status = etch_transfer_wait(&b->transfer, pause, b);
+    const int status = etch_transfer_wait(&b->transfer, pause, b);
 
-    if (b->happens == ETCH_PANEL_EARLY) {
-        move(b, b->left / 2);
-    }
-    if (b->left != 0) { /* the hardware's counter: stop it */
-        b->left = 0;
-        etch_panel_interrupt(b->panel);
-        status = status < 0 ? status : ETCH_EIO;
+    if (b->left != 0) { /* it was given up */
+        stop(b);
     }
     b->happens = ETCH_PANEL_NO_FAULT;
     return status;
@@ -184,7 +202,7 @@ static void delay(const struct etch_bus *bus, uint8_t ms)
 
 void etch_panel_bus_open(struct etch_panel_bus *b, struct etch_panel *panel)
 {
-    *b = (struct etch_panel_bus){.panel = panel};
+    *b = (struct etch_panel_bus){.panel = panel, .transfer = {.start = start, .context = b}};
     b->bus = (struct etch_bus){.context = b,
                                .begin = begin,
                                .end = end,

@@ -2,7 +2,8 @@
  * the program like DMA, and with faults.
  *
  * A transfer takes place at the last moment, when it is waited for, so a buffer that is drawn on
- * too early is seen: it is compared with what it held when the transfer began. Calls that
+ * too early is seen: each piece is compared with what it held when it was started, and those not
+ * yet started show what the buffer holds by then. Interrupts start piece after piece. Calls that
  * hal/bus.h forbids are refused like those that the panel's data sheet forbids, in
  * panel->error. */
 #ifndef ETCH_HOST_PANEL_BUS_H
@@ -12,12 +13,13 @@
 #include "../../hal/transfer.h"
 #include "panel.h"
 
-/* What goes wrong, at the k-th call. All but the first three let half of the bytes through. */
+/* What goes wrong, at the k-th call or piece. All but the first three let half of a piece's bytes
+ * through. */
 enum etch_panel_fault {
     ETCH_PANEL_NO_FAULT,
     ETCH_PANEL_BEGIN_FAILS,   /* the bus cannot be had */
     ETCH_PANEL_COMMAND_FAILS, /* nothing is sent */
-    ETCH_PANEL_START_FAILS,   /* a transfer is not started */
+    ETCH_PANEL_START_FAILS,   /* a piece is not started */
     ETCH_PANEL_FAILS,         /* it ends with an error */
     ETCH_PANEL_STALLS,        /* it never ends */
     ETCH_PANEL_EARLY,         /* "complete" comes with half of the bytes left */
@@ -36,12 +38,14 @@ struct etch_panel_bus {
 
     enum etch_panel_fault fault;
     uint32_t fault_at; /* calls of that kind from now on until it happens, from 1; once */
-    uint32_t ignored;  /* completions that came when their transfer did not run */
+    uint32_t ignored;  /* completions that came when their piece did not run */
+    uint32_t pieces;   /* started so far, by the thread or by interrupts */
 
-    /* The transfer that runs. */
+    /* The piece that runs. */
     const uint8_t *bytes;
     uint32_t left, hash;
-    uint8_t number, stray; /* stray: the number of a completion still to come; 0: none */
+    uint8_t number, stray; /* stray: the number of a completion still to come, if has_stray */
+    bool has_stray;
     enum etch_panel_fault happens;
     bool taken;
 };

@@ -11,10 +11,10 @@ struct command {
 };
 
 static const struct command dcs[] = {
-    {0x00, 0}, {0x01, 0}, {0x10, 0}, {0x11, 0},  {0x12, 0}, {0x13, 0}, {0x20, 0},
-    {0x21, 0}, {0x26, 1}, {0x28, 0}, {0x29, 0},  {0x2A, 4}, {0x2B, 4}, {0x2C, -2},
-    {0x30, 4}, {0x33, 6}, {0x34, 0}, {0x35, -1}, {0x36, 1}, {0x37, 2}, {0x38, 0},
-    {0x39, 0}, {0x3A, 1}, {0x44, 2}, {0x51, 1},  {0x53, 1}, {0x55, 1}, {0, 0},
+    {0x00, 0}, {0x01, 0}, {0x10, 0}, {0x11, 0}, {0x12, 0}, {0x13, 0}, {0x20, 0},
+    {0x21, 0}, {0x26, 1}, {0x28, 0}, {0x29, 0}, {0x2A, 4}, {0x2B, 4}, {0x2C, -2},
+    {0x30, 4}, {0x33, 6}, {0x34, 0}, {0x35, 1}, {0x36, 1}, {0x37, 2}, {0x38, 0},
+    {0x39, 0}, {0x3A, 1}, {0x44, 2}, {0x51, 1}, {0x53, 1}, {0x55, 1}, {0, 0},
 };
 
 static const struct command ssd1351[] = {
@@ -65,10 +65,13 @@ void etch_panel_initial(struct etch_panel *p)
     p->mode = 2; /* SSD1306: by pages; bit 3 is the direction of the lines */
     p->mux = (uint8_t)(t->memory_height < 256 ? t->memory_height - 1 : 255);
     p->format = 6;
+    p->brightness = 0;
     p->command = -1;
     p->count = p->wanted = p->parts = 0;
     p->writes = p->has_window = false;
-    p->x0 = p->y0 = p->x1 = p->y1 = 0;
+    p->x0 = p->y0 = p->x1 = p->y1 = p->x = p->y = 0;
+    p->room = 0;
+    p->pulses = false;
 }
 
 static void sleep(struct etch_panel *p, bool asleep)
@@ -107,6 +110,8 @@ static void execute_dcs(struct etch_panel *p)
     case 0x29: p->on = p->command == 0x29; break;
     case 0x2A: p->x0 = word(v), p->x1 = word(v + 2); break;
     case 0x2B: p->y0 = word(v), p->y1 = word(v + 2); break;
+    case 0x34: p->pulses = false; break;
+    case 0x35: p->pulses = true; break;
     case 0x36: p->orient = v[0]; break;
     case 0x3A:
         p->format = v[0] & 7;
@@ -114,6 +119,7 @@ static void execute_dcs(struct etch_panel *p)
             etch_panel_refuse(p, "no pixel format %02X on this bus", (unsigned)v[0]);
         }
         break;
+    case 0x51: p->brightness = v[0]; break;
     default: break;
     }
 }
@@ -147,8 +153,9 @@ static void execute_ssd1306(struct etch_panel *p)
 
     switch (p->command) {
     case 0x20: p->mode = (uint8_t)((p->mode & 0x08) | (v[0] & 3)); break;
-    case 0x21: p->x0 = v[0], p->x1 = v[1], etch_panel_window(p); break;
-    case 0x22: p->y0 = v[0], p->y1 = v[1], etch_panel_window(p); break;
+    case 0x21: p->x0 = v[0], p->x1 = v[1], etch_panel_range(p, true); break;
+    case 0x22: p->y0 = v[0], p->y1 = v[1], etch_panel_range(p, false); break;
+    case 0x81: p->brightness = v[0]; break;
     case 0x8D: p->pumped = v[0] == 0x14; break;
     case 0xA0:
     case 0xA1: p->orient = p->command & 1; break;
@@ -168,12 +175,13 @@ static void execute_ssd0323(struct etch_panel *p)
     const uint8_t *v = p->parameter;
 
     switch (p->command) {
-    case 0x15: p->x0 = v[0], p->x1 = v[1], etch_panel_window(p); break;
-    case 0x75: p->y0 = v[0], p->y1 = v[1], etch_panel_window(p); break;
+    case 0x15: p->x0 = v[0], p->x1 = v[1], etch_panel_range(p, true); break;
+    case 0x75: p->y0 = v[0], p->y1 = v[1], etch_panel_range(p, false); break;
     case 0x81:
         if (v[0] > 0x7F) {
             etch_panel_refuse(p, "contrast %02X has more than 7 bits", (unsigned)v[0]);
         }
+        p->brightness = v[0];
         break;
     case 0xA0: p->orient = v[0]; break;
     case 0xA4:

@@ -56,7 +56,9 @@ int etch_panel_port_open(struct etch_panel_port *port, const char *name, uint8_t
     etch_panel_bus_open(&port->bus, &port->panel);
     port->turn = turn;
     status = etch_lcd_open(&port->lcd, driver, &port->bus.bus,
-                           (struct etch_lcd_setup){turn, port->scratch, sizeof port->scratch});
+                           (struct etch_lcd_setup){.turn = turn,
+                                                   .scratch = port->scratch,
+                                                   .scratch_size = sizeof port->scratch});
     if (status < 0) {
         etch_panel_close(&port->panel);
     }

@@ -12,7 +12,8 @@ struct etch_panel_scan {
     bool up;
 };
 
-/* Time from now until the pulse that comes next. */
+/* Time from now until the pulse that comes next; the glass is read by the same clock whether or not
+ * the line shows it (panel->pulses: command 35). */
 uint64_t etch_panel_until_pulse(const struct etch_panel *panel, const struct etch_panel_scan *scan);
 
 /* Begins a frame: forgets which rows changed, and when. */

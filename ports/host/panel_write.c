@@ -19,24 +19,56 @@ static void get_extent(const struct etch_panel *p, int *across, int *down)
     *down = (swap ? t->memory_width : t->memory_height) / page;
 }
 
-void etch_panel_window(struct etch_panel *p)
+/* Which of the two addresses counts first is the controller's setting. */
+static bool counts_down_first(const struct etch_panel *p)
 {
+    switch (p->type->family) {
+    case ETCH_PANEL_SSD1351: return (p->orient & 0x01) != 0;
+    case ETCH_PANEL_SSD0323: return (p->orient & 0x04) != 0;
+    case ETCH_PANEL_SSD1306: return (p->mode & 3) == 1;
+    default: return false;
+    }
+}
+
+/* Refuses a wrong window; data are pixels from here on, as many as are left from (x, y) on. */
+static void begin_window(struct etch_panel *p)
+{
+    const int width = p->x1 - p->x0 + 1, height = p->y1 - p->y0 + 1;
+    const bool inside = p->x >= p->x0 && p->x <= p->x1 && p->y >= p->y0 && p->y <= p->y1;
     int across, down;
 
     get_extent(p, &across, &down);
-    if (p->x0 > p->x1 || p->y0 > p->y1) {
+    if (width < 1 || height < 1) {
         etch_panel_refuse(p, "window %d..%d x %d..%d is upside down", p->x0, p->x1, p->y0, p->y1);
     }
     if (p->x1 >= across || p->y1 >= down) {
         etch_panel_refuse(p, "window %d..%d x %d..%d is outside a memory of %d x %d", p->x0, p->x1,
                           p->y0, p->y1, across, down);
     }
-    p->x = p->x0;
-    p->y = p->y0;
     p->parts = 0;
-    p->room = (uint32_t)(p->x1 - p->x0 + 1) * (uint32_t)(p->y1 - p->y0 + 1);
+    p->room = !inside ? 0
+              : counts_down_first(p)
+                  ? (uint32_t)(width * height - (p->x - p->x0) * height - (p->y - p->y0))
+                  : (uint32_t)(width * height - (p->y - p->y0) * width - (p->x - p->x0));
     p->writes = true;
     p->has_window = true;
+}
+
+void etch_panel_window(struct etch_panel *p)
+{
+    p->x = p->x0;
+    p->y = p->y0;
+    begin_window(p);
+}
+
+void etch_panel_range(struct etch_panel *p, bool columns)
+{
+    if (columns) {
+        p->x = p->x0;
+    } else {
+        p->y = p->y0;
+    }
+    begin_window(p);
 }
 
 /* Puts a colour at a place of the memory, and notes when its row changed. */
@@ -68,17 +100,11 @@ static void put_dcs(struct etch_panel *p, uint32_t color)
     put(p, column, row, color);
 }
 
-/* To the next address; which of the two counts first is the controller's setting. */
+/* To the next address, and from the last to the first. */
 static void advance(struct etch_panel *p)
 {
-    const enum etch_panel_family family = p->type->family;
-    const bool down_first = family == ETCH_PANEL_SSD1351   ? (p->orient & 0x01) != 0
-                            : family == ETCH_PANEL_SSD0323 ? (p->orient & 0x04) != 0
-                            : family == ETCH_PANEL_SSD1306 ? (p->mode & 3) == 1
-                                                           : false;
-
     p->room--;
-    if (down_first) {
+    if (counts_down_first(p)) {
         if (++p->y > p->y1) {
             p->y = p->y0;
             p->x = p->x == p->x1 ? p->x0 : p->x + 1;

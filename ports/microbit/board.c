@@ -70,11 +70,16 @@ static int command(const struct etch_bus *bus, const uint8_t *bytes, uint16_t n)
     return 0;
 }
 
-static int data(const struct etch_bus *bus, const uint8_t *bytes, uint32_t n)
+static int data(const struct etch_bus *bus, struct etch_pieces *pieces)
 {
+    const uint8_t *bytes;
+    uint32_t n;
+
     (void)bus;
     pin_set(PIN_DATA, true);
-    send(bytes, n);
+    while ((bytes = pieces->next(pieces, &n)) != NULL) {
+        send(bytes, n);
+    }
     return 0;
 }
 

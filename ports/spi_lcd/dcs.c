@@ -23,6 +23,6 @@ const struct etch_lcd_controller etch_lcd_dcs = {
     .straight = 0x20,
     .inverted = 0x21,
     .brightness = 0x51,
+    .tearing = 0x35,
     .turn = etch_lcd_orient,
-    .send = etch_lcd_send_rgb565,
 };

@@ -2,7 +2,7 @@
 #ifndef ETCH_PORTS_SPI_LCD_DITHER_H
 #define ETCH_PORTS_SPI_LCD_DITHER_H
 
-#include "stream.h"
+#include "lcd.h"
 
 /* The threshold of frame pixel (x, y), 2 .. 254: Bayer's 8 x 8 matrix, whose cell is the bits of
  * x ^ y and y, interleaved from the last one on, times 4 and 2 more. The mean is 128. */

@@ -33,7 +33,6 @@ static const struct etch_lcd_controller ili9488 = {
     .column_pixels = 1,
     .row_pixels = 1,
     .addresses_turn = true,
-    .needs_scratch = true,
     .orient = 0x36,
     .flip_columns = 0x40,
     .flip_rows = 0x80,
@@ -47,8 +46,9 @@ static const struct etch_lcd_controller ili9488 = {
     .straight = 0x20,
     .inverted = 0x21,
     .brightness = 0x51,
+    .tearing = 0x35,
     .turn = etch_lcd_orient,
-    .send = etch_lcd_send_rgb666,
+    .convert = etch_lcd_rgb666,
 };
 
 const struct etch_lcd_panel etch_ili9488 = {

@@ -1,9 +1,26 @@
 /* ports/spi_lcd/lcd.c: a panel as a display: commands, windows, frames. The frame loop calls flush
- * and wait; pixels go through the controller's send. See lcd.h. */
+ * and wait; lcd_pixels.c hands the pixels to the bus. See lcd.h. */
 #include "lcd.h"
+
+/* Bytes in one piece. */
+struct parameters {
+    struct etch_pieces pieces; /* first */
+    const uint8_t *bytes;
+    uint8_t n;
+};
+
+static const uint8_t *next_parameters(struct etch_pieces *pieces, uint32_t *n)
+{
+    struct parameters *p = (struct parameters *)pieces;
+
+    *n = p->n;
+    p->n = 0;
+    return *n != 0 ? p->bytes : NULL;
+}
 
 int etch_lcd_command(struct etch_lcd *lcd, uint8_t command, const uint8_t *parameters, uint8_t n)
 {
+    struct parameters p = {{next_parameters}, parameters, n};
     const struct etch_bus *bus = lcd->bus;
     int status = bus->command(bus, &command, 1);
 
@@ -13,22 +30,8 @@ int etch_lcd_command(struct etch_lcd *lcd, uint8_t command, const uint8_t *param
     if (lcd->panel->controller->parameters_are_commands) {
         return bus->command(bus, parameters, n);
     }
-    status = bus->data(bus, parameters, n);
+    status = bus->data(bus, &p.pieces);
     return status < 0 ? status : bus->wait(bus);
-}
-
-int etch_lcd_data(struct etch_lcd *lcd, const uint8_t *bytes, uint32_t n)
-{
-    const struct etch_bus *bus = lcd->bus;
-    int status = ETCH_OK;
-
-    while (bus->limit != 0 && n > bus->limit && status >= 0) {
-        status = bus->data(bus, bytes, bus->limit);
-        status = status < 0 ? status : bus->wait(bus);
-        bytes += bus->limit;
-        n -= bus->limit;
-    }
-    return status < 0 ? status : bus->data(bus, bytes, n);
 }
 
 /* ---- where the frame is in memory ------------------------------------------------------------ */
@@ -43,42 +46,65 @@ static int send_range(struct etch_lcd *lcd, uint8_t command, int16_t first, int1
                                                       : etch_lcd_command(lcd, command, narrow, 2);
 }
 
-/* Sets the window. Addresses name pixels of the turned frame, or those of the memory. */
-static int set_window(struct etch_lcd *lcd, struct etch_rect area)
+enum {
+    COLUMNS = 1,
+    ROWS = 2
+};
+
+/* Sets the window, or one side of it. Addresses name pixels of the turned frame, or those of the
+ * memory. */
+static int set_window(struct etch_lcd *lcd, struct etch_rect area, int sides)
 {
     const struct etch_lcd_controller *c = lcd->panel->controller;
     const bool cross = !c->addresses_turn && (lcd->orientation & ETCH_LCD_SWAP) != 0;
     const struct etch_rect a = {cross ? area.y0 : area.x0, cross ? area.x0 : area.y0,
                                 cross ? area.y1 : area.x1, cross ? area.x1 : area.y1};
-    int status = send_range(lcd, c->column, (int16_t)((a.x0 + lcd->column) / c->column_pixels),
-                            (int16_t)((a.x1 - 1 + lcd->column) / c->column_pixels));
+    int status = ETCH_OK;
 
-    if (status >= 0) {
+    if ((sides & COLUMNS) != 0) {
+        status = send_range(lcd, c->column, (int16_t)((a.x0 + lcd->column) / c->column_pixels),
+                            (int16_t)((a.x1 - 1 + lcd->column) / c->column_pixels));
+    }
+    if (status >= 0 && (sides & ROWS) != 0) {
         status = send_range(lcd, c->row, (int16_t)((a.y0 + lcd->row) / c->row_pixels),
                             (int16_t)((a.y1 - 1 + lcd->row) / c->row_pixels));
     }
     return status < 0 || c->write == 0 ? status : etch_lcd_command(lcd, c->write, NULL, 0);
 }
 
-/* Small panels that take data without a write command get one window for all strips of a frame:
- * it reaches to the bottom, and a strip that follows the last one goes on in it. */
+static void forget_window(struct etch_lcd *lcd)
+{
+    lcd->window = (struct etch_rect){0, 0, 0, 0};
+}
+
+/* Panels that take data without a write command get one window for all strips of a frame: it
+ * reaches to the bottom, and a strip that follows the last one goes on in it. When it is full both
+ * address counters are back at its start, and each range command sets its own: so one side, by
+ * turns, is enough for the same window again, and heals a counter that noise put out of step. */
 static int open_window(struct etch_lcd *lcd, struct etch_rect area)
 {
     const struct etch_rect w = lcd->window;
+    const int16_t next = lcd->row_next;
+    const bool same = !etch_rect_is_empty(w) && w.x0 == area.x0 && w.x1 == area.x1;
     struct etch_rect rest = area;
     int status = ETCH_OK;
 
     if (lcd->panel->controller->write != 0) {
-        return set_window(lcd, area);
+        return set_window(lcd, area, COLUMNS | ROWS);
     }
     rest.y1 = lcd->display.height;
-    lcd->window.y1 = lcd->window.y0; /* unknown, if this fails */
-    if (etch_rect_is_empty(w) || w.x0 != area.x0 || w.x1 != area.x1 || w.y0 != area.y0) {
-        status = set_window(lcd, rest);
+    forget_window(lcd);
+    if (same && area.y0 == next) {
+        rest = w;
+    } else if (same && area.y0 == w.y0 && next == w.y1) {
+        status = set_window(lcd, rest, lcd->columns_next ? COLUMNS : ROWS);
+        lcd->columns_next = !lcd->columns_next;
+    } else {
+        status = set_window(lcd, rest, COLUMNS | ROWS);
     }
-    rest.y0 = area.y1;
     if (status >= 0) {
         lcd->window = rest;
+        lcd->row_next = area.y1;
     }
     return status;
 }
@@ -97,11 +123,11 @@ int etch_lcd_flush(const struct etch_display *display, struct etch_rect area,
     }
     status = open_window(lcd, area);
     if (status >= 0) {
-        status = lcd->panel->controller->send(lcd, area, pixels, stride);
+        status = bus->data(bus, etch_lcd_pixels(lcd, area, pixels, stride));
     }
     lcd->sending = status >= 0;
     if (status < 0) {
-        lcd->window = (struct etch_rect){0, 0, 0, 0};
+        forget_window(lcd);
         bus->end(bus);
     }
     return status;
@@ -118,7 +144,7 @@ int etch_lcd_wait(const struct etch_display *display)
         lcd->bus->end(lcd->bus);
     }
     if (status < 0) {
-        lcd->window = (struct etch_rect){0, 0, 0, 0};
+        forget_window(lcd);
     }
     return status;
 }

@@ -44,6 +44,7 @@ enum etch_lcd_turn {
 };
 
 struct etch_lcd;
+struct etch_lcd_pixels;
 
 /* A controller: its commands. Constant. */
 struct etch_lcd_controller {
@@ -54,7 +55,6 @@ struct etch_lcd_controller {
 
     bool parameters_are_commands; /* they go with D/C low */
     bool addresses_turn;          /* the orientation acts on addresses, not on the glass */
-    bool needs_scratch;           /* `send` converts pixels */
 
     /* Orientation: command `orient`, value base, with the bits below exchanged. */
     uint8_t orient, base, flip_columns, flip_rows, swap, bgr, scan_up;
@@ -62,12 +62,16 @@ struct etch_lcd_controller {
     /* Commands without parameters; brightness has one of a byte. 0: has none. */
     uint8_t sleep, wake, off, on, straight, inverted, brightness;
     uint8_t brightness_shift; /* to the right, of 0 .. 255 */
+    uint8_t tearing;          /* switches the tearing-effect line on; has a parameter of 0 */
 
-    /* Sends the orientation; and the pixels of an area, the last bytes of which may still be
-     * under way on return. Called within a transaction, with the window set. */
+    /* Sends the orientation. Called within a transaction. */
     int (*turn)(struct etch_lcd *lcd);
-    int (*send)(struct etch_lcd *lcd, struct etch_rect area, const uint16_t *pixels,
-                uint16_t stride);
+
+    /* NULL: pixels are sent as they lie in memory, RGB565 with the high byte first. Else writes
+     * pixels from (s->x, s->y) on, row after row, as the controller takes them, to at most `room`
+     * bytes, 6 or more, and moves (x, y) on. Returns the bytes written, 0 at the end. Called in the
+     * bus's interrupt if it has one: touches nothing but `s` and `to`. */
+    uint16_t (*convert)(struct etch_lcd_pixels *s, uint8_t *to, uint16_t room);
 };
 
 /* A glass on a controller. Constant. */
@@ -94,8 +98,27 @@ struct etch_lcd_setup {
     uint8_t turn;          /* enum etch_lcd_turn */
     uint8_t *scratch;      /* the caller's, for controllers that do not take RGB565 (ILI9488,
                               SSD1306, SSD0323), else NULL: converted pixels wait here, one half
-                              is filled while the other is sent. It stays in use */
-    uint16_t scratch_size; /* bytes, at least 12; from 128 on nothing is gained */
+                              is filled, in the bus's interrupt if it has one, while the other is
+                              sent. It stays in use, and where DMA can read it */
+    uint16_t scratch_size; /* bytes, at least 12. An interrupt takes as long as half of them: see
+                              `convert` below; 128 are enough for few interrupts */
+    int (*sync)(const struct etch_display *display); /* NULL, or becomes the display's, which see;
+                              the controller's tearing-effect line is then on, if it has one */
+};
+
+/* The pixels of a strip on their way. The thread's until the bus begins to send, then the bus's. */
+struct etch_lcd_pixels {
+    struct etch_pieces pieces; /* first */
+    const struct etch_lcd *lcd;
+    struct etch_rect area;
+    const uint16_t *pixels; /* (area.x0, area.y0) */
+    uint16_t stride;
+    int16_t x, y;      /* the next to convert, in frame coordinates */
+    bool upper;        /* half of the scratch buffer that comes next */
+    int16_t rows;      /* not converted: that lie together, */
+    uint32_t part;     /* their bytes, */
+    uint32_t left;     /* those not yet sent, */
+    const uint8_t *at; /* and where */
 };
 
 /* A panel. Set up by etch_lcd_open; then `display` is what the frame loop wants and the rest
@@ -108,8 +131,13 @@ struct etch_lcd {
     uint8_t orientation;
     int16_t column, row;     /* added to addresses: along the frame's x and y if addresses turn,
                                 else along the memory's */
-    struct etch_rect window; /* what the panel goes on to fill without a new window, or empty */
+    struct etch_rect window; /* without a write command: the window that is set, or empty; */
+    int16_t row_next;        /* the row that the panel fills next: window.y0 .. y1; */
+    bool columns_next;       /* and what of it is set anew next: see lcd.c */
     bool sending;
+    bool hidden, asleep, inverted, dimmed; /* as was asked for last, for etch_lcd_restart */
+    uint8_t brightness;                    /* if dimmed */
+    struct etch_lcd_pixels pixels;
 };
 
 /* Resets the panel, runs its init table, clears it to black and switches it on. Takes what the
@@ -118,6 +146,13 @@ struct etch_lcd {
  * 0, or the bus's error, or ETCH_ENOMEM: the controller needs a larger scratch buffer. */
 int etch_lcd_open(struct etch_lcd *lcd, const struct etch_lcd_panel *panel,
                   const struct etch_bus *bus, struct etch_lcd_setup setup);
+
+/* The same again with the turn and the settings below as they are now: for a panel that lost its
+ * own, by a supply that sagged, a plug that was pulled, or noise. After a frame that failed nothing
+ * is needed, as the next begins with a window; a panel cannot be asked how it is, so restart it
+ * when frames go on failing, or when the application knows better. The picture is gone: draw
+ * the whole frame next (etch_tiles_forget). Between two frames; 0, or the bus's error. */
+int etch_lcd_restart(struct etch_lcd *lcd);
 
 /* Turns the frame, between two frames; width and height of the display change, so
  * etch_frame_init comes next. What is on the glass stays as it is, or is mirrored, until drawn
@@ -143,30 +178,46 @@ int etch_lcd_wait(const struct etch_display *display);
 /* Sends a command with n parameters. Within a transaction. */
 int etch_lcd_command(struct etch_lcd *lcd, uint8_t command, const uint8_t *parameters, uint8_t n);
 
-/* Sends data in parts that the bus takes; the last may be under way on return. Whoever sends
- * after other data waits first. */
-int etch_lcd_data(struct etch_lcd *lcd, const uint8_t *bytes, uint32_t n);
-
 /* `turn` by the table; in lcd_open.c. */
 int etch_lcd_orient(struct etch_lcd *lcd);
 
-/* `send` of RGB565, high byte first, as it lies in memory: one transfer if the rows are
- * adjacent, else one for each. */
-int etch_lcd_send_rgb565(struct etch_lcd *lcd, struct etch_rect area, const uint16_t *pixels,
-                         uint16_t stride);
+/* The pixels of an area as pieces for the bus; in lcd_pixels.c. */
+struct etch_pieces *etch_lcd_pixels(struct etch_lcd *lcd, struct etch_rect area,
+                                    const uint16_t *pixels, uint16_t stride);
 
-/* 8-bit rrrrrr00 gggggg00 bbbbbb00; 5 bits become 6 by repeating the first. */
-int etch_lcd_send_rgb666(struct etch_lcd *lcd, struct etch_rect area, const uint16_t *pixels,
-                         uint16_t stride);
+/* `convert`: 8-bit rrrrrr00 gggggg00 bbbbbb00; 5 bits become 6 by repeating the first. About 15
+ * instructions a pixel: 21 pixels, 63 bytes, an interrupt with a scratch buffer of 128. */
+uint16_t etch_lcd_rgb666(struct etch_lcd_pixels *s, uint8_t *to, uint16_t room);
 
-/* 16 grey levels, two pixels a byte, the left or upper one high; and black and white, 8 pixels a
- * byte, the left or upper one low. Luminance (77 r + 150 g + 29 b) / 256 of 8-bit channels, by
- * ordered dithering with an 8 x 8 matrix fixed to the frame, so neither strips nor rectangles
- * change a pixel. Source: B. Bayer, An optimum method for two-level rendition of continuous-tone
- * pictures, 1973. About 30 instructions a pixel. */
-int etch_lcd_send_gray4(struct etch_lcd *lcd, struct etch_rect area, const uint16_t *pixels,
-                        uint16_t stride);
-int etch_lcd_send_mono(struct etch_lcd *lcd, struct etch_rect area, const uint16_t *pixels,
-                       uint16_t stride);
+/* `convert`: 16 grey levels, two pixels a byte, the left or upper one high; and black and white, 8
+ * pixels a byte, the left or upper one low. Luminance (77 r + 150 g + 29 b) / 256 of 8-bit
+ * channels, by ordered dithering with an 8 x 8 matrix fixed to the frame, so neither strips nor
+ * rectangles change a pixel. Source: B. Bayer, An optimum method for two-level rendition of
+ * continuous-tone pictures, 1973. About 40 instructions a pixel, 320 a byte of black and white:
+ * where long interrupts hurt, a scratch buffer of 12 bytes makes them short. */
+uint16_t etch_lcd_gray4(struct etch_lcd_pixels *s, uint8_t *to, uint16_t room);
+uint16_t etch_lcd_mono(struct etch_lcd_pixels *s, uint8_t *to, uint16_t room);
+
+/* The row of the next pixel. */
+ETCH_INLINE const uint16_t *etch_lcd_row(const struct etch_lcd_pixels *s)
+{
+    return s->pixels + (size_t)(s->y - s->area.y0) * s->stride;
+}
+
+/* dx pixels on in the row, or dy rows down if it has ended. */
+ETCH_INLINE void etch_lcd_advance(struct etch_lcd_pixels *s, int16_t dx, int16_t dy)
+{
+    s->x = (int16_t)(s->x + dx);
+    if (s->x >= s->area.x1) {
+        s->x = s->area.x0;
+        s->y = (int16_t)(s->y + dy);
+    }
+}
+
+/* A pixel of the buffer as 0brrrrrggggggbbbbb. */
+ETCH_INLINE uint16_t etch_lcd_color(uint16_t pixel)
+{
+    return ETCH_FORMAT_HIGH_BYTE_FIRST == ETCH_FORMAT_RGB565 ? pixel : etch_rgb565_swap(pixel);
+}
 
 #endif

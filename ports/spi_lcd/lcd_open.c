@@ -103,6 +103,7 @@ static int clear(struct etch_lcd *lcd)
 static int prepare(struct etch_lcd *lcd)
 {
     const struct etch_lcd_controller *c = lcd->panel->controller;
+    const uint8_t tearing = 0; /* a pulse a frame, none a line */
     int status = lcd->bus->begin(lcd->bus);
 
     if (status < 0) {
@@ -113,33 +114,63 @@ static int prepare(struct etch_lcd *lcd)
         status = c->turn(lcd);
     }
     if (status >= 0) {
-        status = etch_lcd_command(lcd, lcd->panel->inverted ? c->inverted : c->straight, NULL, 0);
+        status = etch_lcd_command(
+            lcd, lcd->panel->inverted != lcd->inverted ? c->inverted : c->straight, NULL, 0);
+    }
+    if (status >= 0 && lcd->setup.sync != NULL && c->tearing != 0) {
+        status = etch_lcd_command(lcd, c->tearing, &tearing, 1);
     }
     lcd->bus->end(lcd->bus);
     return status;
 }
 
-int etch_lcd_open(struct etch_lcd *lcd, const struct etch_lcd_panel *panel,
-                  const struct etch_bus *bus, struct etch_lcd_setup setup)
+/* The settings that were asked for; the panel is awake and off. */
+static int restore(struct etch_lcd *lcd)
 {
+    const bool asleep = lcd->asleep;
+    int status = ETCH_OK;
+
+    lcd->asleep = false;
+    if (lcd->dimmed) {
+        status = etch_lcd_brightness(lcd, lcd->brightness);
+    }
+    if (status >= 0 && !lcd->hidden) {
+        status = etch_lcd_show(lcd, true);
+    }
+    lcd->asleep = asleep;
+    return status >= 0 && asleep ? etch_lcd_sleep(lcd, true) : status;
+}
+
+int etch_lcd_restart(struct etch_lcd *lcd)
+{
+    const struct etch_bus *bus = lcd->bus;
     int status;
 
-    *lcd = (struct etch_lcd){.panel = panel, .bus = bus, .setup = setup};
-    lcd->display = (struct etch_display){.context = lcd,
-                                         .format = ETCH_FORMAT_HIGH_BYTE_FIRST,
-                                         .flush = etch_lcd_flush,
-                                         .wait = etch_lcd_wait};
-    place(lcd, setup.turn);
-    if (panel->controller->needs_scratch && (setup.scratch == NULL || setup.scratch_size < 12)) {
-        return ETCH_ENOMEM;
-    }
     bus->reset(bus, true);
     bus->delay(bus, 10);
     bus->reset(bus, false);
     bus->delay(bus, 120);
+    lcd->window = (struct etch_rect){0, 0, 0, 0};
     status = prepare(lcd);
     if (status >= 0) {
         status = clear(lcd);
     }
-    return status < 0 ? status : etch_lcd_show(lcd, true);
+    return status < 0 ? status : restore(lcd);
+}
+
+int etch_lcd_open(struct etch_lcd *lcd, const struct etch_lcd_panel *panel,
+                  const struct etch_bus *bus, struct etch_lcd_setup setup)
+{
+    ETCH_ASSERT(lcd != NULL && panel != NULL && bus != NULL);
+    *lcd = (struct etch_lcd){.panel = panel, .bus = bus, .setup = setup};
+    lcd->display = (struct etch_display){.context = lcd,
+                                         .format = ETCH_FORMAT_HIGH_BYTE_FIRST,
+                                         .flush = etch_lcd_flush,
+                                         .wait = etch_lcd_wait,
+                                         .sync = setup.sync};
+    place(lcd, setup.turn);
+    if (panel->controller->convert != NULL && (setup.scratch == NULL || setup.scratch_size < 12)) {
+        return ETCH_ENOMEM;
+    }
+    return etch_lcd_restart(lcd);
 }

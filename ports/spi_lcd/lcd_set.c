@@ -17,18 +17,30 @@ static int set(struct etch_lcd *lcd, uint8_t command, const uint8_t *parameter)
     return status;
 }
 
+/* OLED controllers have one command for "awake" and "on", and one for their opposites: it is sent if
+ * both are wanted, and neither call undoes the other. */
+static bool is_one(const struct etch_lcd_controller *c)
+{
+    return c->wake == c->on;
+}
+
 int etch_lcd_show(struct etch_lcd *lcd, bool on)
 {
     const struct etch_lcd_controller *c = lcd->panel->controller;
 
-    return set(lcd, on ? c->on : c->off, NULL);
+    lcd->hidden = !on;
+    return lcd->asleep && is_one(c) ? ETCH_OK : set(lcd, on ? c->on : c->off, NULL);
 }
 
 int etch_lcd_sleep(struct etch_lcd *lcd, bool asleep)
 {
     const struct etch_lcd_controller *c = lcd->panel->controller;
-    const int status = set(lcd, asleep ? c->sleep : c->wake, NULL);
+    int status = ETCH_OK;
 
+    lcd->asleep = asleep;
+    if (!lcd->hidden || !is_one(c)) {
+        status = set(lcd, asleep ? c->sleep : c->wake, NULL);
+    }
     lcd->bus->delay(lcd->bus, asleep ? 5 : 120);
     return status;
 }
@@ -37,6 +49,7 @@ int etch_lcd_invert(struct etch_lcd *lcd, bool inverted)
 {
     const struct etch_lcd_controller *c = lcd->panel->controller;
 
+    lcd->inverted = inverted;
     return set(lcd, inverted != lcd->panel->inverted ? c->inverted : c->straight, NULL);
 }
 
@@ -45,5 +58,7 @@ int etch_lcd_brightness(struct etch_lcd *lcd, uint8_t value)
     const struct etch_lcd_controller *c = lcd->panel->controller;
     const uint8_t parameter = (uint8_t)(value >> c->brightness_shift);
 
+    lcd->dimmed = c->brightness != 0;
+    lcd->brightness = value;
     return set(lcd, c->brightness, &parameter);
 }

@@ -31,7 +31,6 @@ static const struct etch_lcd_controller ssd0323 = {
     .column_pixels = 2,
     .row_pixels = 1,
     .parameters_are_commands = true,
-    .needs_scratch = true,
     .orient = 0xA0,
     .base = 0x52, /* odd and even lines apart, scanned from the last; left pixel in the high bits */
     .flip_columns = 0x03,
@@ -46,7 +45,7 @@ static const struct etch_lcd_controller ssd0323 = {
     .brightness = 0x81,
     .brightness_shift = 1, /* 7 bits */
     .turn = etch_lcd_orient,
-    .send = etch_lcd_send_gray4,
+    .convert = etch_lcd_gray4,
 };
 
 const struct etch_lcd_panel etch_ssd0323 = {

@@ -58,7 +58,6 @@ static const struct etch_lcd_controller ssd1306 = {
     .column_pixels = 1,
     .row_pixels = 8,
     .parameters_are_commands = true,
-    .needs_scratch = true,
     .sleep = 0xAE,
     .wake = 0xAF,
     .off = 0xAE,
@@ -67,7 +66,7 @@ static const struct etch_lcd_controller ssd1306 = {
     .inverted = 0xA7,
     .brightness = 0x81,
     .turn = turn,
-    .send = etch_lcd_send_mono,
+    .convert = etch_lcd_mono,
 };
 
 const struct etch_lcd_panel etch_ssd1306 = {

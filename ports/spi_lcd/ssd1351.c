@@ -44,7 +44,6 @@ static const struct etch_lcd_controller ssd1351 = {
     .straight = 0xA6,
     .inverted = 0xA7,
     .turn = etch_lcd_orient,
-    .send = etch_lcd_send_rgb565,
 };
 
 const struct etch_lcd_panel etch_ssd1351 = {

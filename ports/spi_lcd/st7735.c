@@ -48,8 +48,8 @@ static const struct etch_lcd_controller st7735 = {
     .on = 0x29,
     .straight = 0x20,
     .inverted = 0x21,
+    .tearing = 0x35,
     .turn = etch_lcd_orient,
-    .send = etch_lcd_send_rgb565,
 };
 
 const struct etch_lcd_panel etch_st7735_red = {

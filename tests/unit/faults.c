@@ -107,9 +107,8 @@ static void a_failed_strip_does_not_shift_the_next(void)
     for (int16_t y = 0; y < 64; y = (int16_t)(y + 16)) {
         port.bus.fault = ETCH_PANEL_FAILS;
         port.bus.fault_at = y == 16;
-        CHECK_EQ(d->flush(d, (struct etch_rect){0, y, 128, (int16_t)(y + 16)}, white, 128),
-                 y == 16 ? ETCH_PANEL_FAULT_STATUS : 0);
-        CHECK_EQ(d->wait(d), 0);
+        CHECK_EQ(d->flush(d, (struct etch_rect){0, y, 128, (int16_t)(y + 16)}, white, 128), 0);
+        CHECK_EQ(d->wait(d), y == 16 ? ETCH_PANEL_FAULT_STATUS : 0);
     }
     for (int y = 0; y < 64; y++)
         for (int x = 0; x < 128; x++)
@@ -121,7 +120,8 @@ static void a_failed_strip_does_not_shift_the_next(void)
 /* Opening reports what fails, leaves the bus, and succeeds the next time. */
 static void opening_reports_faults(void)
 {
-    const struct etch_lcd_setup setup = {0, port.scratch, sizeof port.scratch};
+    const struct etch_lcd_setup setup = {.scratch = port.scratch,
+                                         .scratch_size = sizeof port.scratch};
 
     for (size_t f = 0; f < sizeof faults / sizeof faults[0]; f++) {
         for (uint32_t k = 1; k < 60; k += 7) {

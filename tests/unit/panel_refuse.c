@@ -135,7 +135,8 @@ static void haste_is_refused(void)
 static void open_faulty(const char *name, const struct etch_lcd_panel *driver, const char *words)
 {
     static struct etch_panel_port port;
-    const struct etch_lcd_setup setup = {0, port.scratch, sizeof port.scratch};
+    const struct etch_lcd_setup setup = {.scratch = port.scratch,
+                                         .scratch_size = sizeof port.scratch};
 
     if (!CHECK(etch_panel_open(&port.panel, etch_panel_find(name))))
         return;
