@@ -1,11 +1,13 @@
-/* fragment/gouraud_lequal_swapped.c: interpolated colour where not farther than the depth plane, bytes
- * swapped. See gouraud.h. */
-#include "gouraud.h"
-#include "gouraud_span.h"
+/* fragment/gouraud_lequal_swapped.c: interpolated colour where not farther than the depth plane,
+ * bytes swapped. See gouraud.h. */
+#include "gouraud_narrow.h"
 
 void etch_kernel_gouraud_lequal_swapped(const struct etch_surface *surface, int16_t y0,
                                         const struct etch_run *runs, uint8_t n,
                                         const struct etch_paint *paint)
 {
-    etch_depth_rows_lequal(surface, y0, runs, n, paint, etch_gouraud_span_swapped);
+    if (gouraud_is_narrow(runs, n))
+        etch_gouraud_narrow_lequal_swapped(surface, y0, runs, n, paint);
+    else
+        etch_depth_rows_lequal(surface, y0, runs, n, paint, etch_gouraud_span_swapped);
 }

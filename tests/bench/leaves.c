@@ -6,7 +6,7 @@
 #include "../../core/base/fill.h"
 #include "../../core/fragment/depth_rows.h"
 #include "../../core/fragment/flat.h"
-#include "../../core/fragment/gouraud.h"
+#include "../../core/fragment/gouraud_narrow.h"
 #include "../../core/raster/line_walk.h"
 
 #define WORDS 20000
@@ -16,6 +16,7 @@ void portable_etch_fill_rows(uint16_t *p, uint32_t n, uint16_t value, uint32_t r
 void portable_etch_line_walk(uint16_t *p, uint32_t n, ptrdiff_t along, ptrdiff_t aside, int32_t e,
                              int32_t du, int32_t dv, uint16_t color);
 etch_depth_rows portable_etch_depth_rows_less, portable_etch_depth_rows_lequal;
+etch_kernel portable_etch_gouraud_narrow_less, portable_etch_gouraud_narrow_lequal;
 etch_kernel portable_etch_kernel_flat, portable_etch_kernel_gouraud;
 
 static uint32_t leaf[WORDS], portable[WORDS], seed;
@@ -127,14 +128,26 @@ static void trace(uint16_t *pixel, int32_t x, uint32_t n, int32_t y, const struc
         pixel[i] = (uint16_t)((uint32_t)x * 31 + i * 31 + (uint32_t)y * 1009 + p->z.dx);
 }
 
+#define TRACED(name, rows)                                                                         \
+    static void name(const struct etch_surface *surface, int16_t y0, const struct etch_run *runs,  \
+                     uint8_t n, const struct etch_paint *paint)                                    \
+    {                                                                                              \
+        rows(surface, y0, runs, n, paint, trace);                                                  \
+    }
+
+TRACED(leaf_less, etch_depth_rows_less)
+TRACED(leaf_lequal, etch_depth_rows_lequal)
+TRACED(portable_less, portable_etch_depth_rows_less)
+TRACED(portable_lequal, portable_etch_depth_rows_lequal)
+
 /* Depths round those of a plane, many of them equal; of planes near 0 the first ones below one. */
-static bool depth_differs(etch_depth_rows *a, etch_depth_rows *b, bool near)
+static bool depth_differs(etch_kernel *a, etch_kernel *b, bool near)
 {
     const int16_t x = (int16_t)below(20), y = (int16_t)below(20);
     const struct etch_rect window = {x, y, (int16_t)(x + 200), (int16_t)(y + 40)};
     const uint8_t n = (uint8_t)(1 + below(ETCH_RUN_BLOCK));
     const int16_t y0 = (int16_t)(y + (int16_t)below(8));
-    struct etch_depth_paint paint = {{NULL}, {0, 0, 0}};
+    struct etch_gouraud_paint paint = {{NULL}, {0, 0, 0}, plane(), plane(), plane()};
     struct etch_run runs[ETCH_RUN_BLOCK];
     struct etch_surface s, t;
 
@@ -159,8 +172,8 @@ static bool depth_differs(etch_depth_rows *a, etch_depth_rows *b, bool near)
         runs[i].x0 = (int16_t)(x + (int16_t)below(90));
         runs[i].x1 = (int16_t)(runs[i].x0 + (int16_t)below(110));
     }
-    a(&s, y0, runs, n, &paint.paint, trace);
-    b(&t, y0, runs, n, &paint.paint, trace);
+    a(&s, y0, runs, n, &paint.paint);
+    b(&t, y0, runs, n, &paint.paint);
     return differ();
 }
 
@@ -196,10 +209,15 @@ int main(void)
             return 3;
         if (line_differs())
             return 4;
-        if (depth_differs(etch_depth_rows_less, portable_etch_depth_rows_less, i % 2 == 0))
+        if (depth_differs(leaf_less, portable_less, i % 2 == 0))
             return 5;
-        if (depth_differs(etch_depth_rows_lequal, portable_etch_depth_rows_lequal, i % 2 == 0))
+        if (depth_differs(leaf_lequal, portable_lequal, i % 2 == 0))
             return 6;
+        if (depth_differs(etch_gouraud_narrow_less, portable_etch_gouraud_narrow_less, i % 2 == 0))
+            return 7;
+        if (depth_differs(etch_gouraud_narrow_lequal, portable_etch_gouraud_narrow_lequal,
+                          i % 2 == 0))
+            return 8;
     }
     return 0;
 }
