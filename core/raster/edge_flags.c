@@ -15,8 +15,8 @@ enum etch_status etch_edge_flags_init(struct etch_edge_flags *f, struct etch_rec
         return ETCH_ENOMEM;
     f->bits = bits;
     f->rect = rect;
-    while (n-- != 0)
-        bits[n] = 0;
+    while (n != 0)
+        bits[--n] = 0;
     return ETCH_OK;
 }
 

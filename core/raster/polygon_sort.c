@@ -23,16 +23,16 @@ void etch_polygon_sort(struct etch_polygon *p)
 {
     struct etch_polygon_edge *const edge = p->edge;
 
-    for (uint16_t i = p->count / 2; i-- > 0;) {
-        const struct etch_polygon_edge g = edge[i];
+    for (uint16_t i = p->count / 2; i != 0; i--) {
+        const struct etch_polygon_edge g = edge[i - 1];
 
-        sift(edge, p->count, i, &g);
+        sift(edge, p->count, (uint16_t)(i - 1), &g);
     }
-    for (uint16_t n = p->count; n-- > 1;) {
-        const struct etch_polygon_edge g = edge[n];
+    for (uint16_t n = p->count; n > 1; n--) {
+        const struct etch_polygon_edge g = edge[n - 1];
 
-        edge[n] = edge[0];
-        sift(edge, n, 0, &g);
+        edge[n - 1] = edge[0];
+        sift(edge, (uint16_t)(n - 1), 0, &g);
     }
     p->sorted = true;
 }

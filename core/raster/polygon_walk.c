@@ -42,12 +42,13 @@ void etch_polygon_walk(const struct etch_surface *surface, struct etch_polygon *
 {
     const struct etch_rect clip = surface->clip;
     struct etch_polygon_edge *active = NULL, *edge = p->edge;
-    struct etch_polygon_edge *const end = edge + p->count;
+    const struct etch_polygon_edge *end;
     struct etch_run_band band;
     int16_t y = clip.y0;
 
-    if (p->status != ETCH_OK || etch_rect_is_empty(clip))
+    if (p->status != ETCH_OK || p->count == 0 || etch_rect_is_empty(clip))
         return;
+    end = edge + p->count;
     if (!p->sorted)
         etch_polygon_sort(p);
     etch_run_band_init(&band, surface, paint);

@@ -9,4 +9,8 @@
 struct test_run_paint test_band_paint(struct test_run_log *log, uint16_t color);
 etch_kernel test_kernel_bands;
 
+/* The same for shapes that are handed over in tiles: the order is not looked at. */
+struct test_run_paint test_tile_paint(struct test_run_log *log, uint16_t color);
+etch_kernel test_kernel_tiles;
+
 #endif
