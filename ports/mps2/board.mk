@@ -12,3 +12,5 @@ $(foreach b,mps2-an385 mps2-an386,\
     $(eval $(b)_BUFFERS := 1)\
     $(eval $(b)_FRAME := 320 240)\
     $(eval $(b)_SHOW := sh tests/targets/qemu_trace.sh qemu-system-arm $(b) $(mps2_GLASS)))
+mps2-an385_RUN := qemu-system-arm -M mps2-an385 -display none -monitor none -serial null \
+    -semihosting-config enable=on,target=native -kernel

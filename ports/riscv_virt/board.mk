@@ -12,3 +12,6 @@ $(foreach b,riscv32-virt riscv64-virt,\
     $(eval $(b)_FRAME := 320 240)\
     $(eval $(b)_SHOW := python3 tests/targets/qemu_screen.py 1 $($(b)_QEMU) -M virt -bios none \
         -device bochs-display,romfile= -semihosting-config enable=on,target=native -kernel))
+$(foreach b,riscv32-virt riscv64-virt,\
+    $(eval $(b)_RUN := $($(b)_QEMU) -M virt -bios none -display none -monitor none -serial null \
+        -semihosting-config enable=on,target=native -kernel))
