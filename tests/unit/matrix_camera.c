@@ -209,7 +209,7 @@ static void perspective_is_rounded(void)
         }
     }
     CHECK(good > n / 20);
-    CHECK(large > 100);
+    CHECK(large > TEST_COUNT(100));
 }
 
 static void boxes_are_rounded(void)
