@@ -32,7 +32,8 @@ struct etch_panel_type {
     enum etch_panel_family family;
     int16_t width, height;               /* glass, upright */
     int16_t memory_width, memory_height; /* pixels */
-    int16_t column, row;                 /* least memory column and row that it shows */
+    int16_t column, row;                 /* least memory column and row that it shows; SSD0323: least
+                                            line of the controller that is on the glass */
     bool flips_columns, flips_rows;      /* memory column 0 is at its right; row 0 at its bottom */
     bool bgr, inverts;                   /* filters blue first; a 0 is white */
     bool only_rgb666;
@@ -59,7 +60,7 @@ struct etch_panel {
     bool selected, in_reset, asleep, on, inverted, all_off, pumped, unlocked;
     bool pulses;                /* the tearing-effect line is on */
     uint64_t ready_ns, wake_ns; /* before these no command, no waking up */
-    uint8_t orient, mode, mux, format, brightness;
+    uint8_t orient, mode, mux, format, brightness, offset;
     int command; /* whose parameters arrive; -1: none yet */
     uint8_t parameter[ETCH_PANEL_PARAMETERS];
     int count, wanted; /* parameters that came, and must come; wanted < 0: any number */

@@ -65,7 +65,7 @@ void etch_panel_initial(struct etch_panel *p)
     p->mode = 2; /* SSD1306: by pages; bit 3 is the direction of the lines */
     p->mux = (uint8_t)(t->memory_height < 256 ? t->memory_height - 1 : 255);
     p->format = 6;
-    p->brightness = 0;
+    p->brightness = p->offset = 0;
     p->command = -1;
     p->count = p->wanted = p->parts = 0;
     p->writes = p->has_window = false;
@@ -184,6 +184,7 @@ static void execute_ssd0323(struct etch_panel *p)
         p->brightness = v[0];
         break;
     case 0xA0: p->orient = v[0]; break;
+    case 0xA2: p->offset = v[0]; break;
     case 0xA4:
     case 0xA7: p->all_off = false, p->inverted = p->command == 0xA7; break;
     case 0xA6: p->all_off = true; break;

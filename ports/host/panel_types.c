@@ -21,7 +21,7 @@ const struct etch_panel_type etch_panel_types[] = {
     {"ssd1351", ETCH_PANEL_SSD1351, 128, 128, 128, 128, 0, 0, false, false, true, false, false},
     {"ssd1306", ETCH_PANEL_SSD1306, 128, 64, 128, 64, 0, 0, true, true, false, false, false},
     {"ssd1306-128x32", ETCH_PANEL_SSD1306, 128, 32, 128, 64, 0, 0, true, true, false, false, false},
-    {"ssd0323", ETCH_PANEL_SSD0323, 128, 64, 128, 80, 0, 0, false, false, false, false, false},
+    {"ssd0323", ETCH_PANEL_SSD0323, 128, 64, 128, 80, 0, 12, false, false, false, false, false},
     {0},
 };
 
@@ -35,6 +35,16 @@ const struct etch_panel_type *etch_panel_find(const char *name)
     return type->name != NULL ? type : NULL;
 }
 
+/* Of its 80 lines some are on the glass, from `row` on, the lowest first; with bit 4 of A0 the memory
+ * is read backwards, and from A2 on in any case. */
+static int ssd0323_row(const struct etch_panel *p, int y)
+{
+    const int lines = p->type->memory_height;
+    const int line = p->type->row + p->type->height - 1 - y;
+
+    return ((p->orient & 0x10) != 0 ? lines - 1 - line + p->offset : line + p->offset) % lines;
+}
+
 /* Memory row behind glass row y. The OLED controllers scan within the lines that they drive,
  * from either end, so there the orientation acts here and not on addresses. */
 static int memory_row(const struct etch_panel *p, int y)
@@ -46,7 +56,7 @@ static int memory_row(const struct etch_panel *p, int y)
     switch (t->family) {
     case ETCH_PANEL_SSD1351: return (p->orient & 0x10) != 0 ? line : last - line;
     case ETCH_PANEL_SSD1306: return (p->mode & 0x08) != 0 ? last - line : line;
-    case ETCH_PANEL_SSD0323: return (p->orient & 0x10) != 0 ? line : last - line;
+    case ETCH_PANEL_SSD0323: return ssd0323_row(p, line);
     default: return t->row + line;
     }
 }

@@ -1,6 +1,7 @@
 /* ports/spi_lcd/gc9a01.c: GC9A01, round glasses of 240 x 240. Tables for lcd.c. The corners are
  * sent like the rest and fall outside the glass. Values: the
- * start-up list that public drivers share, most of whose registers are not documented. */
+ * maker's start-up list, the same in TFT_eSPI and Adafruit's driver (which has B6 00 00, and flips
+ * the columns instead); most of its registers are not documented. */
 #include "panels.h"
 
 /* clang-format off */
@@ -20,7 +21,7 @@ static const uint8_t init[] = {
     1, 0x8D, 0x01,
     1, 0x8E, 0xFF,
     1, 0x8F, 0xFF,
-    2, 0xB6, 0x00, 0x20,                         /* lines scanned downwards */
+    2, 0xB6, 0x00, 0x20,                         /* columns from the right: `mount` is for this */
     1, 0x3A, 0x05,                               /* 16 bits a pixel */
     4, 0x90, 0x08, 0x08, 0x08, 0x08,
     1, 0xBD, 0x06,

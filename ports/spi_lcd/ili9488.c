@@ -1,5 +1,6 @@
 /* ports/spi_lcd/ili9488.c: ILI9488, 320 x 480, which takes 18 bits a pixel on SPI. Tables for
- * lcd.c. Values as public drivers set them; power and gamma vary by module. */
+ * lcd.c. Values as TFT_eSPI and J. Burkett's driver both set them; power and gamma vary by
+ * module. */
 #include "panels.h"
 
 /* clang-format off */
@@ -12,8 +13,11 @@ static const uint8_t init[] = {
     1, 0xB0, 0x00,             /* bus mode */
     1, 0xB1, 0xA0,             /* 60 frames a second */
     1, 0xB4, 0x02,             /* dot inversion */
-    3, 0xB6, 0x02, 0x02, 0x3B, /* 480 lines */
-    4, 0xF7, 0xA9, 0x51, 0x2C, 0x82,
+    3, 0xB6, 0x02, 0x02, 0x3B, /* 480 lines, both scans forwards */
+    1, 0xB7, 0xC6,             /* entry mode: no low-voltage detection */
+    1, 0xE9, 0x00,             /* of 24 bits a pixel the upper 6 of each 8 count */
+    4, 0xF7, 0xA9, 0x51, 0x2C, 0x82, /* adjustment 3: loosely packed pixels */
+    /* gamma, positive and negative */
     15, 0xE0, 0x00, 0x03, 0x09, 0x08, 0x16, 0x0A, 0x3F, 0x78, 0x4C, 0x09, 0x0A, 0x08, 0x16, 0x1A,
         0x0F,
     15, 0xE1, 0x00, 0x16, 0x19, 0x03, 0x0F, 0x05, 0x32, 0x45, 0x46, 0x04, 0x0E, 0x0D, 0x35, 0x37,

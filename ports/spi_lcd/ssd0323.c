@@ -1,5 +1,5 @@
 /* ports/spi_lcd/ssd0323.c: SSD0323, OLED of 128 x 64 with 16 grey levels. Tables for lcd.c.
- * Values as public drivers set them. A byte is two pixels of a row; addresses always
+ * Values as TI's driver for the EK-LM3S6965 and u8g2 set them. A byte is two pixels of a row; addresses always
  * name the memory, and flipping the columns exchanges the pixels of a byte, too. */
 #include "panels.h"
 
@@ -7,7 +7,6 @@
 static const uint8_t init[] = {
     0, 0xAE,       /* off while the supply is set */
     1, 0xA1, 0x00, /* the first line is 0 */
-    1, 0xA2, 0x00,
     1, 0xA8, 0x3F, /* 64 lines */
     1, 0xAD, 0x02, /* external supply */
     1, 0xB1, 0x22, /* phases of 2 clocks */
@@ -23,6 +22,17 @@ static const uint8_t init[] = {
     ETCH_LCD_END,
 };
 /* clang-format on */
+
+/* The controller has 80 lines, the glass 64, on lines 12 to 75; which memory row is at its top (A2)
+ * depends on where the scan begins. As u8g2 has it for both directions. */
+static int turn(struct etch_lcd *lcd)
+{
+    const bool flipped = (lcd->orientation & ETCH_LCD_FLIP_ROWS) != 0;
+    const uint8_t offset = flipped ? 80 - 12 : 12 + 64;
+    int status = etch_lcd_orient(lcd);
+
+    return status < 0 ? status : etch_lcd_command(lcd, 0xA2, &offset, 1);
+}
 
 static const struct etch_lcd_controller ssd0323 = {
     .column = 0x15,
@@ -44,7 +54,7 @@ static const struct etch_lcd_controller ssd0323 = {
     .inverted = 0xA7,
     .brightness = 0x81,
     .brightness_shift = 1, /* 7 bits */
-    .turn = etch_lcd_orient,
+    .turn = turn,
     .convert = etch_lcd_gray4,
 };
 

@@ -1,5 +1,5 @@
 /* ports/spi_lcd/ssd1306.c: SSD1306, black-and-white OLED of 128 columns. Tables for lcd.c. Values as
- * public drivers set them. A byte is 8 rows of a column; addresses always name the
+ * Adafruit's driver and A. Dynda's both set them. A byte is 8 rows of a column; addresses always name the
  * memory. */
 #include "panels.h"
 
@@ -22,16 +22,16 @@ static const uint8_t init_64[] = {
 
 /* clang-format off */
 static const uint8_t init_32[] = {
-    0, 0xAE,
+    0, 0xAE,       /* as above, but: */
     1, 0xD5, 0x80,
-    1, 0xA8, 0x1F,
-    1, 0xDA, 0x02,
+    1, 0xA8, 0x1F, /* 32 lines, */
+    1, 0xDA, 0x02, /* one after the other */
     1, 0xD3, 0x00,
     0, 0x40,
     1, 0x8D, 0x14,
     1, 0xD9, 0xF1,
     1, 0xDB, 0x40,
-    1, 0x81, 0x8F,
+    1, 0x81, 0x8F, /* fewer lines, each lit for longer: less contrast */
     0, 0xA4,
     ETCH_LCD_END,
 };

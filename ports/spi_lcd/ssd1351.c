@@ -1,5 +1,5 @@
 /* ports/spi_lcd/ssd1351.c: SSD1351, colour OLED of 128 x 128. Tables for lcd.c. Values as
- * public drivers set them. Addresses always name the memory; a turned frame is written with
+ * TFT_eSPI and Adafruit's driver both set them, bits of A0 included. Addresses always name the memory; a turned frame is written with
  * the rows counted first. */
 #include "panels.h"
 

@@ -1,6 +1,6 @@
 /* ports/spi_lcd/st7735.c: ST7735R and ST7735S. Tables for lcd.c. Their memory is 132 x 162, 132 x
- * 132 or 128 x 160, as three pins of the chip say. Values as public drivers set
- * them; frame rate, power and gamma vary by module. */
+ * 132 or 128 x 160, as three pins of the chip say. Values as Adafruit's driver and
+ * TFT_eSPI both set them; frame rate, power and gamma vary by module. */
 #include "panels.h"
 
 /* clang-format off */
@@ -18,6 +18,7 @@ static const uint8_t init[] = {
     2, 0xC4, 0x8A, 0xEE,                         /* and partial mode */
     1, 0xC5, 0x0E,                               /* VCOM -0.775 V */
     1, 0x3A, 0x05,                               /* 16 bits a pixel */
+    /* gamma, positive and negative */
     16, 0xE0, 0x02, 0x1C, 0x07, 0x12, 0x37, 0x32, 0x29, 0x2D, 0x29, 0x25, 0x2B, 0x39, 0x00, 0x01,
         0x03, 0x10,
     16, 0xE1, 0x03, 0x1D, 0x07, 0x06, 0x2E, 0x2C, 0x29, 0x2D, 0x2E, 0x2E, 0x37, 0x3F, 0x00, 0x00,

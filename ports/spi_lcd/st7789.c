@@ -1,5 +1,6 @@
 /* ports/spi_lcd/st7789.c: ST7789, whose memory of 240 x 320 serves glasses of several sizes.
- * Tables for lcd.c. Values as public drivers set them, most of them the reset values. */
+ * Tables for lcd.c. Values as TFT_eSPI sets them, most of them the reset values, on
+ * which Adafruit's driver relies. */
 #include "panels.h"
 
 /* clang-format off */
@@ -11,12 +12,13 @@ static const uint8_t init[] = {
     5, 0xB2, 0x0C, 0x0C, 0x00, 0x33, 0x33, /* porches of 12 lines */
     1, 0xB7, 0x35,                         /* gate voltages */
     1, 0xBB, 0x28,                         /* VCOM 1.1 V */
-    1, 0xC0, 0x0C,
-    2, 0xC2, 0x01, 0xFF,
+    1, 0xC0, 0x0C,                         /* bits of 36 that this controller exchanges: none */
+    2, 0xC2, 0x01, 0xFF,                   /* VDV and VRH by command: */
     1, 0xC3, 0x10,                         /* VRH */
     1, 0xC4, 0x20,                         /* VDV 0 */
     1, 0xC6, 0x0F,                         /* 60 frames a second */
     2, 0xD0, 0xA4, 0xA1,                   /* supplies */
+    /* gamma, positive and negative */
     14, 0xE0, 0xD0, 0x00, 0x02, 0x07, 0x0A, 0x28, 0x32, 0x44, 0x42, 0x06, 0x0E, 0x12, 0x14, 0x17,
     14, 0xE1, 0xD0, 0x00, 0x02, 0x07, 0x0A, 0x28, 0x31, 0x54, 0x47, 0x0E, 0x1C, 0x17, 0x1B, 0x1E,
     1, 0x53, 0x24,                         /* brightness by command 51 */

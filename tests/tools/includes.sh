@@ -1,11 +1,12 @@
 #!/bin/sh
-# The include rules of core and hal, and no float in either.
+# The include rules of core, hal and the ports that are part of the library, and no float in them.
 #       includes.sh [DIRECTORY]         the tree to look at, default .
 #   core and hal   of the system headers only stdint, stddef, stdbool, limits
 #   core/base      nothing but itself
 #   core/vertex, core/raster, core/fragment    themselves and core/base
 #   core/*         nothing outside core
 #   hal            itself and core/base
+#   ports/spi_lcd, ports/framebuffer    themselves, hal and core/base
 # The last line is "N passed, N failed", one a file.
 cd "${1:-.}" || exit 1
 passed=0 failed=0
@@ -33,6 +34,7 @@ allowed()
         case $2 in core/base/* | "$folder"/*) return 0 ;; esac ;;
     core/*) case $2 in core/*) return 0 ;; esac ;;
     hal/*) case $2 in hal/* | core/base/*) return 0 ;; esac ;;
+    ports/*) case $2 in "${1%/*}"/* | hal/* | core/base/*) return 0 ;; esac ;;
     esac
     return 1
 }
@@ -63,9 +65,9 @@ check_file()
     [ -z "$bad" ]
 }
 
-for file in $(find core hal -name '*.[ch]' | sort); do
+for file in $(find core hal ports/spi_lcd ports/framebuffer -name '*.[ch]' | sort); do
     if check_file "$file"; then passed=$((passed + 1)); else failed=$((failed + 1)); fi
 done
-echo "includes of $((passed + failed)) files of core and hal, no float in them"
+echo "includes of $((passed + failed)) files of core, hal and ports, no float in them"
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]
