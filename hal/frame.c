@@ -79,7 +79,9 @@ static bool take_memory(struct etch_frame *frame)
     if (frame->stride < (uint16_t)display->width) {
         return record(frame, ETCH_EINVAL);
     }
-    frame->rows = frame->memory.depth != NULL ? rows_that_fit(frame) : display->height;
+    frame->rows = frame->memory.depth != NULL || frame->memory.stencil != NULL
+                      ? rows_that_fit(frame)
+                      : display->height;
     return record(frame, frame->rows > 0 ? ETCH_OK : ETCH_ENOMEM);
 }
 
@@ -104,6 +106,7 @@ static struct etch_surface *strip(struct etch_frame *frame, int16_t y)
         return no_strip(frame);
     }
     frame->surface.depth = frame->memory.depth;
+    frame->surface.stencil = frame->memory.stencil;
     return &frame->surface;
 }
 

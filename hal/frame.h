@@ -36,9 +36,10 @@ struct etch_frame_memory {
     uint32_t size;       /* elements in each of these. A strip has as many rows as fit: size /
                             width, at most the height, and a multiple of the display's
                             align_y; the last may have fewer. On a direct
-                            display size counts for the depth plane only, whose rows are as
-                            far apart as the display's: if it holds fewer rows than the frame,
+                            display size counts for the other planes only, whose rows are as
+                            far apart as the display's: if they hold fewer rows than the frame,
                             the memory is handed out in strips of that height */
+    uint8_t *stencil;    /* stencil plane of `size` elements, or NULL; as the depth plane */
 };
 
 /* A frame loop. Set up by etch_frame_init, then private. */

@@ -32,6 +32,13 @@ static void raw_row(const struct etch_plane16 *plane, int32_t y, uint8_t *bytes)
     }
 }
 
+static void byte_row(const struct etch_plane16 *plane, int32_t y, uint8_t *bytes)
+{
+    for (int32_t x = 0; x < plane->width; x++) {
+        *bytes++ = (uint8_t)(word_at(plane, x, y) & 0xFF);
+    }
+}
+
 static bool write_rows(FILE *file, const struct etch_plane16 *plane, size_t row_size,
                        void (*row)(const struct etch_plane16 *, int32_t, uint8_t *))
 {
@@ -57,4 +64,9 @@ bool etch_dump_ppm(FILE *file, const struct etch_plane16 *plane)
 bool etch_dump_raw(FILE *file, const struct etch_plane16 *plane)
 {
     return write_rows(file, plane, (size_t)plane->width * 2, raw_row);
+}
+
+bool etch_dump_bytes(FILE *file, const struct etch_plane16 *plane)
+{
+    return write_rows(file, plane, (size_t)plane->width, byte_row);
 }

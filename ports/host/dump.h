@@ -10,7 +10,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
-/* A plane of 16-bit elements: colours, or depths. */
+/* A plane of 16-bit elements: colours, depths, or stencil values. */
 struct etch_plane16 {
     const uint16_t *data;
     int32_t width, height, stride; /* 1 .. 32767; stride in elements */
@@ -24,6 +24,9 @@ etch_dump etch_dump_png; /* 8-bit RGB, compressed */
 
 /* width * height 16-bit words, little-endian, row 0 first, colours as plain rgb565. */
 etch_dump etch_dump_raw;
+
+/* width * height bytes, row 0 first: the elements, which are below 256. */
+etch_dump etch_dump_bytes;
 
 /* Row y as 3 * width bytes R G B. */
 void etch_dump_row(const struct etch_plane16 *plane, int32_t y, uint8_t *rgb);

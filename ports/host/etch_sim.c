@@ -32,12 +32,15 @@ static bool write_outputs(const struct etch_options *o, const struct etch_simula
                                        s->screen.shown.stride, s->screen.swapped};
     const struct etch_plane16 depth = {s->depth, s->scene->width, s->scene->height, s->scene->width,
                                        false};
+    const struct etch_plane16 stencil = {s->stencil, s->scene->width, s->scene->height,
+                                         s->scene->width, false};
     struct etch_output output[] = {
         {.path = o->picture,
          .plane = &color,
          .dump = o->picture != NULL ? etch_output_picture(o->picture) : NULL},
         {.path = o->raw, .plane = &color, .dump = etch_dump_raw},
         {.path = o->depth, .plane = &depth, .dump = etch_dump_raw},
+        {.path = o->stencil, .plane = &stencil, .dump = etch_dump_bytes},
     };
 
     return etch_outputs_write(output, sizeof output / sizeof output[0], error);
@@ -53,12 +56,13 @@ static int run(const struct etch_options *o, const struct etch_scene *scene,
                                                         : "memory",
                                 .panel = o->panel,
                                 .keeps_depth = o->depth != NULL,
+                                .keeps_stencil = o->stencil != NULL,
                                 .counts = o->stats};
     bool ok;
 
     s.rows = rows == 0 || rows > scene->height ? scene->height : (int16_t)rows;
     if (o->needs) {
-        etch_report_needs(scene, s.rows, s.keeps_depth);
+        etch_report_needs(&s);
         return 0;
     }
     ok = etch_simulate(&s, o->scene, error) && write_outputs(o, &s, error);
@@ -73,9 +77,9 @@ static int run(const struct etch_options *o, const struct etch_scene *scene,
  * lost. NULL if there is none. Devices may be read and written. */
 static const char *clash(const struct etch_options *o, const struct etch_scene *scene)
 {
-    const char *const outputs[] = {o->picture, o->raw, o->depth};
+    const char *const outputs[] = {o->picture, o->raw, o->depth, o->stencil};
 
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 4; i++) {
         const char *name = outputs[i];
 
         for (int k = 0; name != NULL && k < i; k++) {

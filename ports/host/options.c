@@ -6,7 +6,7 @@
 #include <string.h>
 
 static const char usage[] =
-    "usage: etch-sim SCENE [-o OUT.png|.ppm] [--raw OUT.565] [--depth OUT.z16]\n"
+    "usage: etch-sim SCENE [-o OUT.png|.ppm] [--raw OUT.565] [--depth OUT.z16] [--stencil OUT.s8]\n"
     "                [--port NAME] [--strip N] [--stats] [--needs]\n"
     "       panels:  [--turn 0..3] [--mirror x|y|xy] [--buffers 1|2] [--clock HZ] [--lanes 1..8]\n";
 
@@ -30,10 +30,10 @@ static const char **value_of(struct etch_options *o, const char *word)
     const struct {
         const char *name, **value;
     } values[] = {
-        {"-o", &o->picture},      {"--raw", &o->raw},         {"--depth", &o->depth},
-        {"--port", &o->port},     {"--strip", &o->strip},     {"--turn", &o->turn},
-        {"--mirror", &o->mirror}, {"--buffers", &o->buffers}, {"--clock", &o->clock},
-        {"--lanes", &o->lanes},
+        {"-o", &o->picture},        {"--raw", &o->raw},       {"--depth", &o->depth},
+        {"--stencil", &o->stencil}, {"--port", &o->port},     {"--strip", &o->strip},
+        {"--turn", &o->turn},       {"--mirror", &o->mirror}, {"--buffers", &o->buffers},
+        {"--clock", &o->clock},     {"--lanes", &o->lanes},
     };
 
     for (size_t i = 0; i < sizeof values / sizeof values[0]; i++) {
@@ -69,8 +69,6 @@ static int read_words(struct etch_options *o, int count, char **words)
             *value = words[++i];
         } else if (flag != NULL) {
             *flag = true;
-        } else if (strcmp(words[i], "--stencil") == 0) {
-            return etch_options_wrong("not supported yet: ", words[i]);
         } else if (words[i][0] == '-') {
             return etch_options_wrong("unknown option ", words[i]);
         } else if (o->scene != NULL) {

@@ -6,7 +6,7 @@
 
 struct etch_options {
     /* As given; NULL: not. */
-    const char *scene, *picture, *raw, *depth, *port, *strip;
+    const char *scene, *picture, *raw, *depth, *stencil, *port, *strip;
     const char *turn, *mirror, *buffers, *clock, *lanes;
     bool stats, needs, help;
 

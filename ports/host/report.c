@@ -45,10 +45,13 @@ void etch_report_stats(const struct etch_simulation *s)
     (void)printf("runs       %" PRIu64 "\n", s->stats.runs);
     (void)printf("pixels     %" PRIu64 "\n", s->stats.pixels);
     report_bus(s);
-    (void)printf("ram        %" PRIu64 " bytes: colour %" PRIu64 ", depth %" PRIu64
-                 ", vertices %zu\n",
-                 s->color_bytes + s->depth_bytes + s->scene->vertex_bytes, s->color_bytes,
-                 s->depth_bytes, s->scene->vertex_bytes);
+    (void)printf("ram        %" PRIu64 " bytes: colour %" PRIu64 ", depth %" PRIu64,
+                 s->color_bytes + s->depth_bytes + s->stencil_bytes + s->scene->vertex_bytes,
+                 s->color_bytes, s->depth_bytes);
+    if (s->stencil_bytes != 0) {
+        (void)printf(", stencil %" PRIu64, s->stencil_bytes);
+    }
+    (void)printf(", vertices %zu\n", s->scene->vertex_bytes);
 }
 
 /* Prints a name unless an earlier step has it too. */
@@ -81,16 +84,22 @@ static void print_names(const struct etch_scene *scene, const char *title, int w
     (void)printf("%s\n", n == 0 ? " none" : "");
 }
 
-void etch_report_needs(const struct etch_scene *scene, int16_t rows, bool keeps_depth)
+void etch_report_needs(const struct etch_simulation *s)
 {
-    const bool depth = scene->uses_depth || keeps_depth;
-    const uint64_t plane = (uint64_t)rows * (uint64_t)scene->width * sizeof(uint16_t);
+    const struct etch_scene *scene = s->scene;
+    const bool depth = scene->uses_depth || s->keeps_depth;
+    const bool stencil = scene->uses_stencil || s->keeps_stencil;
+    const uint64_t plane = (uint64_t)s->rows * (uint64_t)scene->width * sizeof(uint16_t);
 
     print_names(scene, "functions ", 0);
     print_names(scene, "kernels   ", 1);
-    (void)printf("planes     colour%s\n", depth ? ", depth" : "");
+    (void)printf("planes     colour%s%s\n", depth ? ", depth" : "", stencil ? ", stencil" : "");
     (void)printf("ram        %" PRIu64 " bytes a colour buffer of %d rows, one or two of them; "
-                 "depth %" PRIu64 "; vertices %zu\n",
-                 plane, rows, depth ? plane : 0, scene->vertex_bytes);
+                 "depth %" PRIu64,
+                 plane, s->rows, depth ? plane : 0);
+    if (stencil) {
+        (void)printf("; stencil %" PRIu64, plane / 2);
+    }
+    (void)printf("; vertices %zu\n", scene->vertex_bytes);
     (void)printf("flash      not measured by this command\n");
 }

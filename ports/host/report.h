@@ -7,7 +7,8 @@
 /* --stats: what drawing this frame took. */
 void etch_report_stats(const struct etch_simulation *simulation);
 
-/* --needs: what a program that draws this scene in strips of `rows` rows links and holds. */
-void etch_report_needs(const struct etch_scene *scene, int16_t rows, bool keeps_depth);
+/* --needs: what a program that draws this scene in strips of simulation->rows rows links and
+ * holds; nothing is drawn. */
+void etch_report_needs(const struct etch_simulation *simulation);
 
 #endif

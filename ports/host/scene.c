@@ -163,7 +163,8 @@ static void set_defaults(struct etch_scene_reader *reader)
         .material = {255, 255, 255, 255},
     };
 
-    reader->state = (struct etch_scene_state){.persp = 1, .zwrite = 1};
+    reader->state = (struct etch_scene_state){
+        .persp = 1, .zwrite = 1, .stencil_write = UINT8_MAX, .color_mask = UINT16_MAX};
     reader->view = view;
     etch_matrix_identity(&reader->view.model);
 }

@@ -17,6 +17,7 @@ struct etch_scene {
     int16_t strip;       /* rows, 0: the whole frame at once */
     uint8_t format;      /* enum etch_format */
     bool uses_depth;     /* something tests or writes depth */
+    bool uses_stencil;   /* something tests stencil values */
     size_t count;        /* of steps */
     size_t vertex_bytes; /* RAM for the transformed vertices of its meshes */
     char **file;         /* what it reads beside itself: meshes, textures */
@@ -52,9 +53,10 @@ struct etch_scene_stats {
     uint64_t pixels;    /* handed to kernels (before any test) and of outlines */
 };
 
-/* Draws the whole scene on a surface: clears first, to black and the farthest depth. Surfaces
- * need a depth plane where scene->uses_depth. `stats` NULL: nothing is counted; else the
- * counts are added to it, which makes outlines slow. False if there was no memory for it. */
+/* Draws the whole scene on a surface: clears first, to black, the farthest depth and stencil 0.
+ * Surfaces need a depth plane where scene->uses_depth, a stencil plane where scene->uses_stencil.
+ * `stats` NULL: nothing is counted; else the counts are added to it, which makes outlines slow.
+ * False if there was no memory for it. */
 bool etch_scene_draw(const struct etch_scene *scene, struct etch_surface *surface,
                      struct etch_scene_stats *stats);
 

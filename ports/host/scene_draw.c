@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "../../core/draw/shapes.h"
+#include "scene_staged.h"
 #include "scene_steps.h"
 
 uint16_t etch_scene_color(const struct etch_scene_run *run, const uint8_t rgb[3])
@@ -65,6 +66,12 @@ void etch_scene_paint_texture(struct etch_scene_run *run,
                                                                         : pipeline->texture;
     const bool depth = pipeline->ztest != 0;
 
+    if (pipeline->staged != NULL) {
+        const struct etch_vertex *const corners[3] = {&v[0]->at, &v[1]->at, &v[2]->at};
+
+        etch_scene_staged_draw(run, pipeline->staged, corners);
+        return;
+    }
     run->texture = pipeline->texture;
     if (!pipeline->perspective) {
         (depth ? etch_triangle_texture_depth : etch_triangle_texture)(&run->surface, v, texture,
@@ -98,14 +105,28 @@ static void count_triangle(struct etch_sink *sink, const struct etch_vertex *con
     raster->painter(raster->surface, v, raster->kernel);
 }
 
+static void take_staged(struct etch_sink *sink, const struct etch_vertex *const v[3])
+{
+    struct etch_scene_sink *staged = (struct etch_scene_sink *)(void *)sink;
+
+    if (staged->run->stats != NULL) {
+        staged->run->stats->triangles++;
+    }
+    etch_scene_staged_draw(staged->run, staged->pipeline->staged, v);
+}
+
 void etch_scene_sink_init(struct etch_scene_sink *sink, struct etch_scene_run *run,
                           const struct etch_scene_pipeline *pipeline)
 {
     sink->run = run;
+    sink->pipeline = pipeline;
     etch_raster_sink_init(&sink->raster, &run->surface, etch_scene_painter(run, pipeline),
                           etch_scene_kernel(run, pipeline));
     if (run->stats != NULL) {
         sink->raster.sink.triangle = count_triangle;
+    }
+    if (pipeline->staged != NULL) {
+        sink->raster.sink.triangle = take_staged;
     }
 }
 
@@ -132,6 +153,9 @@ bool etch_scene_draw(const struct etch_scene *scene, struct etch_surface *surfac
     etch_surface_clear(&run.surface, 0);
     if (run.surface.depth != NULL) {
         etch_depth_clear(&run.surface, UINT16_MAX);
+    }
+    if (run.surface.stencil != NULL) {
+        etch_stencil_clear(&run.surface, 0);
     }
     for (size_t i = 0; i < scene->count; i++) {
         scene->step[i].statement->draw(&run, &scene->step[i]);

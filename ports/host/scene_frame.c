@@ -95,14 +95,19 @@ static bool read_clear_depth(struct etch_scene_reader *reader,
     return true;
 }
 
-/* Checked; without a stencil test it changes nothing. */
+static void draw_clear_stencil(struct etch_scene_run *run, const struct etch_scene_step *step)
+{
+    if (run->surface.stencil != NULL) {
+        etch_stencil_clear(&run->surface, step->of.stencil);
+    }
+}
+
 static bool read_clear_stencil(struct etch_scene_reader *reader,
                                const struct etch_scene_statement *statement)
 {
-    uint8_t value;
+    struct etch_scene_step *step = etch_scene_append(reader, statement);
 
-    (void)statement;
-    return etch_scene_read_byte(reader, "stencil", &value);
+    return step != NULL && etch_scene_read_byte(reader, "stencil", &step->of.stencil);
 }
 
 const struct etch_scene_statement etch_scene_frame_statements[] = {
@@ -112,6 +117,6 @@ const struct etch_scene_statement etch_scene_frame_statements[] = {
     {"frac", read_frac, NULL, NULL, NULL},
     {"clear", read_clear, draw_clear, "etch_surface_clear", NULL},
     {"cleardepth", read_clear_depth, draw_clear_depth, "etch_depth_clear", NULL},
-    {"clearstencil", read_clear_stencil, NULL, NULL, NULL},
+    {"clearstencil", read_clear_stencil, draw_clear_stencil, "etch_stencil_clear", NULL},
     {NULL, NULL, NULL, NULL, NULL},
 };

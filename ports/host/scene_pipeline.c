@@ -91,28 +91,22 @@ static const struct etch_scene_pipeline table[] = {
     ROWS(ALWAYS, 1, always),
 };
 
-/* The first statement whose value no row draws, or NULL. A texture that is off makes filter
- * and wrap idle; persp matters to textures only. */
-static const char *beyond_table(const struct etch_scene_state *state)
+/* Whether the state asks for what only stages do. */
+static bool is_beyond(const struct etch_scene_state *state)
 {
-    return state->blend != 0                     ? "blend"
-           : state->stencil != 0                 ? "stencil"
-           : state->atest != 0                   ? "atest"
-           : state->tex == 0 && state->mode != 0 ? "mode"
-                                                 : NULL;
+    return state->blend != 0 || state->stencil != 0 || state->atest != 0 || state->fog != 0 ||
+           state->logic != 0 || state->color_mask != UINT16_MAX;
 }
 
-const struct etch_scene_pipeline *etch_scene_pipeline_find(const struct etch_scene_state *state,
-                                                           const char **reason)
+const struct etch_scene_pipeline *etch_scene_pipeline_find(const struct etch_scene_state *state)
 {
     const uint8_t zwrite = state->ztest == OFF ? 0 : state->zwrite; /* off does not write */
 
-    *reason = beyond_table(state);
-    if (*reason != NULL) {
+    if (is_beyond(state)) {
         return NULL;
     }
     if (state->tex != 0) {
-        return etch_scene_pipeline_find_texture(state, reason);
+        return etch_scene_pipeline_find_texture(state);
     }
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
         if (table[i].shade == state->shade && table[i].ztest == state->ztest &&
@@ -120,6 +114,5 @@ const struct etch_scene_pipeline *etch_scene_pipeline_find(const struct etch_sce
             return &table[i];
         }
     }
-    *reason = "ztest";
     return NULL;
 }

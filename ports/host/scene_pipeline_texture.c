@@ -125,39 +125,33 @@ static const struct row table[] = {
     ROWS(ALWAYS, 1, always),
 };
 
-static const char *beyond_table(const struct etch_scene_state *state)
+/* Whether the state asks for what only samplers do. */
+static bool is_beyond(const struct etch_scene_state *state)
 {
-    return state->tex != 1      ? "tex"
-           : state->filter != 0 ? "filter"
-           : state->wrap != 0   ? "wrap"
-           : state->wrap_v > 1  ? "wrapv"
-           : state->mipmap != 0 ? "mipmap"
-                                : NULL;
+    return state->tex != 1 || state->filter != 0 || state->wrap != 0 || state->wrap_v > 1 ||
+           state->mipmap != 0;
 }
 
-/* Without perspective the precise kernels are the only ones, and as fast as any. */
-static uint8_t mode_of(const struct etch_scene_state *state)
-{
-    return state->persp == 0 && state->mode == FAST ? PRECISE : state->mode;
-}
-
-const struct etch_scene_pipeline *
-etch_scene_pipeline_find_texture(const struct etch_scene_state *state, const char **reason)
+static const struct etch_scene_pipeline *find(const struct etch_scene_state *state, uint8_t mode)
 {
     const uint8_t zwrite = state->ztest == OFF ? 0 : state->zwrite; /* off does not write */
 
-    *reason = beyond_table(state);
-    if (*reason != NULL) {
-        return NULL;
-    }
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
         const struct row *row = &table[i];
 
-        if (row->persp == state->persp && row->mode == mode_of(state) &&
+        if (row->persp == state->persp && row->mode == mode &&
             row->pipeline.ztest == state->ztest && row->pipeline.zwrite == zwrite) {
             return &row->pipeline;
         }
     }
-    *reason = "mode"; /* the precise one has all depth tests */
     return NULL;
+}
+
+/* Where there is no faster kernel, the precise one draws: it has all depth tests. */
+const struct etch_scene_pipeline *
+etch_scene_pipeline_find_texture(const struct etch_scene_state *state)
+{
+    const struct etch_scene_pipeline *row = is_beyond(state) ? NULL : find(state, state->mode);
+
+    return row != NULL || is_beyond(state) ? row : find(state, PRECISE);
 }

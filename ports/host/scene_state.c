@@ -1,5 +1,5 @@
 /* ports/host/scene_state.c: the state statements. scene.c finds them by name. Values are only
- * recorded here; whether etch can draw them is asked when something is drawn with them. */
+ * recorded here; what draws them is asked when something is drawn (scene_staged.c). */
 #include <stddef.h>
 
 #include "scene_steps.h"
@@ -15,7 +15,6 @@ static const char *const zero_one[] = {"0", "1", NULL};
 static const char *const shades[] = {"smooth", "flat", NULL};
 static const char *const tests[] = {"off",     "never",    "less",   "equal",  "lequal",
                                     "greater", "notequal", "gequal", "always", NULL};
-static const char *const blends[] = {"off", "alpha", "add", "mul", NULL};
 static const char *const culls[] = {"off", "back", "front", NULL};
 static const char *const windings[] = {"ccw", "cw", NULL};
 static const char *const texs[] = {"off", "replace", "modulate", "decal", NULL};
@@ -24,15 +23,12 @@ static const char *const wraps[] = {"repeat", "clamp", "mirror", NULL};
 static const char *const wraps_v[] = {"same", "repeat", "clamp", "mirror", NULL};
 static const char *const off_on[] = {"off", "on", NULL};
 static const char *const modes[] = {"precise", "fast", "exact", NULL};
-static const char *const operations[] = {"keep",   "zero",     "replace",  "incr", "decr",
-                                         "invert", "incrwrap", "decrwrap", NULL};
 
 static const struct choice choices[] = {
     {"shade", offsetof(struct etch_scene_state, shade), shades},
     {"persp", offsetof(struct etch_scene_state, persp), zero_one},
     {"ztest", offsetof(struct etch_scene_state, ztest), tests},
     {"zwrite", offsetof(struct etch_scene_state, zwrite), zero_one},
-    {"blend", offsetof(struct etch_scene_state, blend), blends},
     {"cull", offsetof(struct etch_scene_state, cull), culls},
     {"front", offsetof(struct etch_scene_state, front), windings},
     {"tex", offsetof(struct etch_scene_state, tex), texs},
@@ -52,41 +48,6 @@ static bool read_choice(struct etch_scene_reader *reader, const struct choice *c
     }
     ((uint8_t *)&reader->state)[choice->offset] = (uint8_t)index;
     return true;
-}
-
-/* off | FUNC REF MASK SFAIL ZFAIL ZPASS */
-static bool read_stencil(struct etch_scene_reader *reader)
-{
-    struct etch_scene_state *state = &reader->state;
-    int index;
-
-    state->stencil = 0;
-    if (etch_scene_take(reader, "off")) {
-        return true;
-    }
-    if (!etch_text_choice(&reader->text, "stencil", tests + 1, &index) ||
-        !etch_scene_read_byte(reader, "reference", &state->stencil_reference) ||
-        !etch_scene_read_byte(reader, "mask", &state->stencil_mask)) {
-        return false;
-    }
-    state->stencil = (uint8_t)(index + 1);
-    for (int i = 0; i < 3; i++) {
-        static const char *const names[] = {"sfail", "zfail", "zpass"};
-
-        if (!etch_text_choice(&reader->text, names[i], operations, &index)) {
-            return false;
-        }
-        state->stencil_operation[i] = (uint8_t)index;
-    }
-    return true;
-}
-
-/* off | REF */
-static bool read_atest(struct etch_scene_reader *reader)
-{
-    reader->state.atest = !etch_scene_take(reader, "off");
-    return reader->state.atest == 0 ||
-           etch_scene_read_byte(reader, "atest", &reader->state.atest_reference);
 }
 
 static void draw_scissor(struct etch_scene_run *run, const struct etch_scene_step *step)
@@ -125,6 +86,7 @@ static bool read_state(struct etch_scene_reader *reader,
                        const struct etch_scene_statement *statement)
 {
     struct etch_word word;
+    bool known, ok;
 
     (void)statement;
     if (!etch_text_word(&reader->text, "state", &word)) {
@@ -133,11 +95,9 @@ static bool read_state(struct etch_scene_reader *reader,
     if (etch_word_is(word, "scissor")) {
         return read_scissor(reader);
     }
-    if (etch_word_is(word, "stencil")) {
-        return read_stencil(reader);
-    }
-    if (etch_word_is(word, "atest")) {
-        return read_atest(reader);
+    ok = etch_scene_read_fragment_state(reader, word, &known);
+    if (known) {
+        return ok;
     }
     for (size_t i = 0; i < sizeof choices / sizeof choices[0]; i++) {
         if (etch_word_is(word, choices[i].name)) {
@@ -145,20 +105,6 @@ static bool read_state(struct etch_scene_reader *reader,
         }
     }
     return etch_text_fail(&reader->text, "unknown state \"%s\"", etch_word_show(word).text);
-}
-
-const struct etch_scene_pipeline *etch_scene_read_pipeline(struct etch_scene_reader *reader)
-{
-    const char *reason;
-    const struct etch_scene_pipeline *pipeline = etch_scene_pipeline_find(&reader->state, &reason);
-
-    if (pipeline == NULL) {
-        (void)etch_text_fail(&reader->text, "drawing with this \"state %s\" is not supported yet",
-                             reason);
-    } else if (pipeline->ztest != 0) {
-        reader->scene->uses_depth = true;
-    }
-    return pipeline;
 }
 
 enum etch_cull etch_scene_cull(const struct etch_scene_state *state)

@@ -14,6 +14,7 @@
 #define ETCH_HOST_SCENE_STEPS_H
 
 #include "../../core/draw/mesh.h"
+#include "../../core/vertex/varying.h"
 #include "scene.h"
 #include "scene_pipeline.h"
 #include "scene_texture.h"
@@ -44,6 +45,7 @@ struct etch_scene_step {
         } shape;
         uint8_t rgb[3];        /* clear */
         uint16_t depth;        /* cleardepth */
+        uint8_t stencil;       /* clearstencil */
         struct etch_rect clip; /* state scissor */
         struct {
             enum etch_cull cull;
@@ -52,7 +54,8 @@ struct etch_scene_step {
         } triangle;
         struct {
             enum etch_cull cull;
-            struct etch_clip_vertex v[3];
+            struct etch_clip_texture_vertex v[3];
+            struct etch_texture texture;
         } clip_triangle;
         const struct etch_scene_mesh *mesh;
         const void *data; /* from etch_scene_data, for statements with more to keep */
@@ -82,6 +85,7 @@ struct etch_scene_reader {
     struct etch_scene_state state;
     struct etch_scene_view view;
     struct etch_scene_texture *texture; /* the latest, or NULL */
+    struct etch_scene_staged *staged;   /* the latest pipeline of stages, or NULL */
 };
 
 struct etch_scene_statement {
@@ -138,8 +142,22 @@ const char *etch_scene_path(struct etch_scene_reader *reader, const char **name)
 /* The model-to-clip matrix of the view; false, with an error set, if it has none. */
 bool etch_scene_model_to_clip(struct etch_scene_reader *reader, struct etch_matrix *m);
 
-/* The pipeline for the state as it stands; NULL, with an error set, if etch has none. */
+/* The pipeline for the state as it stands, for primitives whose colours are linear on the screen;
+ * NULL, with an error set, if etch has none. */
 const struct etch_scene_pipeline *etch_scene_read_pipeline(struct etch_scene_reader *reader);
+
+/* The same for triangles: what their vertices differ in that concerns perspective. */
+struct etch_scene_differs {
+    bool w, color;
+};
+const struct etch_scene_pipeline *
+etch_scene_read_triangle_pipeline(struct etch_scene_reader *reader,
+                                  struct etch_scene_differs differs);
+
+/* Reads what follows the name of a state of fragments: atest, stencil, blend, fog ..; *known says
+ * whether the name is one. */
+bool etch_scene_read_fragment_state(struct etch_scene_reader *reader, struct etch_word name,
+                                    bool *known);
 
 /* Which winding the state culls. */
 enum etch_cull etch_scene_cull(const struct etch_scene_state *state);
@@ -155,7 +173,7 @@ uint16_t etch_scene_color(const struct etch_scene_run *run, const uint8_t rgb[3]
 etch_kernel *etch_scene_kernel(struct etch_scene_run *run,
                                const struct etch_scene_pipeline *pipeline);
 
-/* Paints one triangle of a pipeline with a texture. */
+/* Paints one triangle of a pipeline with a texture, or of stages: then `texture` is not read. */
 void etch_scene_paint_texture(struct etch_scene_run *run,
                               const struct etch_scene_pipeline *pipeline,
                               const struct etch_texture_vertex *const v[3],
@@ -167,6 +185,7 @@ etch_triangle_painter *etch_scene_painter(const struct etch_scene_run *run,
 struct etch_scene_sink {
     struct etch_raster_sink raster; /* first; give &raster.sink to etch_assembly */
     struct etch_scene_run *run;
+    const struct etch_scene_pipeline *pipeline;
 };
 void etch_scene_sink_init(struct etch_scene_sink *sink, struct etch_scene_run *run,
                           const struct etch_scene_pipeline *pipeline);

@@ -1,7 +1,5 @@
 /* ports/host/scene_triangles.c: tri and ctri. scene.c finds them by name, scene_draw.c calls
  * what they append. */
-#include <string.h>
-
 #include "scene_steps.h"
 
 /* r g b a */
@@ -51,140 +49,129 @@ static bool read_vertex(struct etch_scene_reader *reader, struct etch_texture_ve
     return read_rgba(reader, &v->r, &v->g, &v->b, &v->a) && read_uv(reader, vertex);
 }
 
-static void draw_tri(struct etch_scene_run *run, const struct etch_scene_step *step)
+/* Paints a triangle on the screen with whatever its pipeline is. */
+static void paint(struct etch_scene_run *run, const struct etch_scene_pipeline *pipeline,
+                  const struct etch_texture_vertex *const v[3], const struct etch_texture *texture)
 {
-    const struct etch_scene_pipeline *pipeline = step->pipeline;
-    const struct etch_texture_vertex *v = step->of.triangle.v;
-    const struct etch_vertex *const corners[3] = {&v[0].at, &v[1].at, &v[2].at};
-    const struct etch_texture_vertex *const textured[3] = {&v[0], &v[1], &v[2]};
+    const struct etch_vertex *const corners[3] = {&v[0]->at, &v[1]->at, &v[2]->at};
 
-    if (!etch_cull_keeps(step->of.triangle.cull, corners)) {
-        return;
-    }
     if (run->stats != NULL) {
         run->stats->triangles++;
     }
-    if (pipeline->texture != NULL) {
-        etch_scene_paint_texture(run, pipeline, textured, &step->of.triangle.texture);
+    if (pipeline->texture != NULL || pipeline->staged != NULL) {
+        etch_scene_paint_texture(run, pipeline, v, texture);
     } else {
         etch_scene_painter(run, pipeline)(&run->surface, corners, etch_scene_kernel(run, pipeline));
     }
 }
 
-/* The state, for what has been read; and its texture if it has one. */
-static bool read_pipeline(struct etch_scene_reader *reader, struct etch_scene_step *step,
-                          struct etch_texture *texture)
+static void draw_tri(struct etch_scene_run *run, const struct etch_scene_step *step)
 {
-    step->pipeline = etch_scene_read_pipeline(reader);
+    const struct etch_texture_vertex *v = step->of.triangle.v;
+    const struct etch_vertex *const corners[3] = {&v[0].at, &v[1].at, &v[2].at};
+    const struct etch_texture_vertex *const wide[3] = {&v[0], &v[1], &v[2]};
+
+    if (etch_cull_keeps(step->of.triangle.cull, corners)) {
+        paint(run, step->pipeline, wide, &step->of.triangle.texture);
+    }
+}
+
+/* The state, for what has been read; and its texture if a fused kernel draws it. */
+static bool read_pipeline(struct etch_scene_reader *reader, struct etch_scene_step *step,
+                          struct etch_scene_differs differs, struct etch_texture *texture)
+{
+    step->pipeline = etch_scene_read_triangle_pipeline(reader, differs);
     return step->pipeline != NULL &&
-           (step->pipeline->texture == NULL || etch_scene_take_texture(reader, texture));
+           (step->pipeline->texture == NULL || step->pipeline->staged != NULL ||
+            etch_scene_take_texture(reader, texture));
 }
 
 static bool read_tri(struct etch_scene_reader *reader, const struct etch_scene_statement *statement)
 {
     struct etch_scene_step *step = etch_scene_append(reader, statement);
+    struct etch_scene_differs differs = {false, false};
 
     for (int i = 0; step != NULL && i < 3; i++) {
+        const struct etch_texture_vertex *v = step->of.triangle.v;
+
         if (!read_vertex(reader, &step->of.triangle.v[i])) {
             return false;
         }
+        differs.w |= v[i].w != v[0].w;
+        differs.color |= v[i].at.r != v[0].at.r || v[i].at.g != v[0].at.g ||
+                         v[i].at.b != v[0].at.b || v[i].at.a != v[0].at.a;
     }
     if (step == NULL) {
         return false;
     }
     step->of.triangle.cull = etch_scene_cull(&reader->state);
-    return read_pipeline(reader, step, &step->of.triangle.texture);
+    return read_pipeline(reader, step, differs, &step->of.triangle.texture);
 }
 
-/* X Y Z W r g b a u v; u and v go to `textured` */
-static bool read_clip_vertex(struct etch_scene_reader *reader, struct etch_clip_vertex *v,
-                             struct etch_texture_vertex *textured)
+/* X Y Z W r g b a u v */
+static bool read_clip_vertex(struct etch_scene_reader *reader, struct etch_clip_texture_vertex *v)
 {
-    return etch_text_q16(&reader->text, "x", &v->x) && etch_text_q16(&reader->text, "y", &v->y) &&
-           etch_text_q16(&reader->text, "z", &v->z) && etch_text_q16(&reader->text, "w", &v->w) &&
-           read_rgba(reader, &v->r, &v->g, &v->b, &v->a) && read_uv(reader, textured);
+    return etch_text_q16(&reader->text, "x", &v->at.x) &&
+           etch_text_q16(&reader->text, "y", &v->at.y) &&
+           etch_text_q16(&reader->text, "z", &v->at.z) &&
+           etch_text_q16(&reader->text, "w", &v->at.w) &&
+           read_rgba(reader, &v->at.r, &v->at.g, &v->at.b, &v->at.a) &&
+           etch_text_q16(&reader->text, "u", &v->u) && etch_text_q16(&reader->text, "v", &v->v);
+}
+
+/* What the vertex stage hands the triangles of a ctri to. */
+struct sink {
+    struct etch_sink sink; /* first */
+    struct etch_scene_run *run;
+    const struct etch_scene_step *step;
+};
+
+static void take(struct etch_sink *sink, const struct etch_vertex *const v[3])
+{
+    const struct sink *s = (const struct sink *)(const void *)sink;
+    const struct etch_texture_vertex *const wide[3] = {(const void *)v[0], (const void *)v[1],
+                                                       (const void *)v[2]};
+
+    paint(s->run, s->step->pipeline, wide, &s->step->of.clip_triangle.texture);
 }
 
 static void draw_ctri(struct etch_scene_run *run, const struct etch_scene_step *step)
 {
-    struct etch_scene_sink sink;
+    struct sink sink = {{take, NULL, NULL}, run, step};
     const struct etch_rect frame = {0, 0, run->scene->width, run->scene->height};
     struct etch_assembly assembly = {.cull = step->of.clip_triangle.cull,
                                      .flat = step->pipeline->shade != 0,
-                                     .sink = &sink.raster.sink};
+                                     .sink = &sink.sink};
 
-    etch_scene_sink_init(&sink, run, step->pipeline);
     (void)etch_viewport_init(&assembly.viewport, frame);
-    etch_assemble_triangle(&assembly, step->of.clip_triangle.v);
-}
-
-static void draw_nothing(struct etch_scene_run *run, const struct etch_scene_step *step)
-{
-    (void)run, (void)step;
-}
-
-static const struct etch_scene_statement projected = {"ctri", NULL, draw_tri,
-                                                      "etch_viewport_project", NULL};
-static const struct etch_scene_statement rejected = {"ctri", NULL, draw_nothing,
-                                                     "etch_viewport_outcode", NULL};
-
-/* Makes a textured ctri, whose coordinates the vertex stage does not carry yet, the tri that it
- * is on the screen. */
-static bool project(struct etch_scene_reader *reader, struct etch_scene_step *step,
-                    struct etch_texture_vertex textured[3])
-{
-    const struct etch_rect frame = {0, 0, reader->scene->width, reader->scene->height};
-    struct etch_viewport viewport;
-    uint8_t all = ETCH_OUT_REJECT, any = 0;
-
-    (void)etch_viewport_init(&viewport, frame);
-    for (int i = 0; i < 3; i++) {
-        const uint8_t out = etch_viewport_outcode(&viewport, &step->of.clip_triangle.v[i]);
-
-        all &= out;
-        any |= out;
-    }
-    if (all != 0) {
-        step->statement = &rejected;
-        return true;
-    }
-    if ((any & ETCH_OUT_CLIP) != 0) {
-        return etch_text_fail(&reader->text, "a textured ctri that is to be clipped (near, far, or "
-                                             "far outside the frame) is not supported yet");
-    }
-    for (int i = 0; i < 3; i++) {
-        const struct etch_clip_vertex *v = &step->of.clip_triangle.v[i];
-
-        etch_viewport_project(&viewport, v, &textured[i].at);
-        textured[i].w = (uint32_t)v->w;
-    }
-    step->statement = &projected;
-    memcpy(step->of.triangle.v, textured, sizeof step->of.triangle.v);
-    step->of.triangle.cull = etch_scene_cull(&reader->state);
-    return etch_scene_take_texture(reader, &step->of.triangle.texture);
+    etch_assemble_textured(&assembly, step->of.clip_triangle.v);
 }
 
 static bool read_ctri(struct etch_scene_reader *reader,
                       const struct etch_scene_statement *statement)
 {
     struct etch_scene_step *step = etch_scene_append(reader, statement);
-    struct etch_texture_vertex textured[3];
-    struct etch_texture texture;
+    struct etch_scene_differs differs = {false, false};
 
     for (int i = 0; step != NULL && i < 3; i++) {
-        if (!read_clip_vertex(reader, &step->of.clip_triangle.v[i], &textured[i])) {
+        struct etch_clip_texture_vertex *v = step->of.clip_triangle.v;
+
+        if (!read_clip_vertex(reader, &v[i])) {
             return false;
         }
+        differs.w |= v[i].at.w != v[0].at.w;
+        differs.color |= v[i].at.r != v[0].at.r || v[i].at.g != v[0].at.g ||
+                         v[i].at.b != v[0].at.b || v[i].at.a != v[0].at.a;
     }
-    if (step == NULL || !read_pipeline(reader, step, &texture)) {
+    if (step == NULL) {
         return false;
     }
     step->of.clip_triangle.cull = etch_scene_cull(&reader->state);
-    return step->pipeline->texture == NULL || project(reader, step, textured);
+    return read_pipeline(reader, step, differs, &step->of.clip_triangle.texture);
 }
 
 const struct etch_scene_statement etch_scene_triangle_statements[] = {
     {"tri", read_tri, draw_tri, "etch_cull_keeps", NULL},
-    {"ctri", read_ctri, draw_ctri, "etch_assemble_triangle", NULL},
+    {"ctri", read_ctri, draw_ctri, "etch_assemble_textured", NULL},
     {NULL, NULL, NULL, NULL, NULL},
 };

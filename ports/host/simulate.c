@@ -10,6 +10,7 @@
 /* The buffers of the application. */
 struct buffers {
     uint16_t *pixels[2], *depth;
+    uint8_t *stencil;
 };
 
 static void free_buffers(struct buffers *b)
@@ -17,6 +18,7 @@ static void free_buffers(struct buffers *b)
     free(b->pixels[0]);
     free(b->pixels[1]);
     free(b->depth);
+    free(b->stencil);
 }
 
 static uint16_t *get_plane(size_t elements, bool *ok)
@@ -25,6 +27,22 @@ static uint16_t *get_plane(size_t elements, bool *ok)
 
     *ok = plane != NULL;
     return plane;
+}
+
+/* A stencil plane if the scene or the user wants one. */
+static bool get_stencil(struct etch_simulation *s, struct buffers *b, size_t elements, size_t frame)
+{
+    bool ok = true;
+
+    if (s->scene->uses_stencil || s->keeps_stencil) {
+        b->stencil = malloc(elements);
+        ok = b->stencil != NULL;
+        s->stencil_bytes = elements;
+    }
+    if (s->keeps_stencil) {
+        s->stencil = get_plane(frame, &ok);
+    }
+    return ok;
 }
 
 /* Buffers of `elements` each: colour as the screen wants, depth if the scene does. The depth
@@ -47,7 +65,7 @@ static bool get_buffers(struct etch_simulation *s, struct buffers *b, size_t ele
     s->color_bytes = (s->screen.buffers == 0 ? frame : s->screen.buffers * elements) *
                      (uint64_t)sizeof(uint16_t);
     s->depth_bytes = depth ? (uint64_t)elements * sizeof(uint16_t) : 0;
-    return ok;
+    return ok && get_stencil(s, b, elements, frame);
 }
 
 /* Copies the strip's depth to its place in the frame. */
@@ -60,11 +78,24 @@ static void keep_depth(struct etch_simulation *s, const struct etch_surface *str
     }
 }
 
+static void keep_stencil(struct etch_simulation *s, const struct etch_surface *strip)
+{
+    for (int16_t y = strip->window.y0; s->stencil != NULL && y < strip->window.y1; y++) {
+        const uint8_t *row = strip->stencil + etch_surface_index(strip, 0, y);
+
+        for (int16_t x = 0; x < s->scene->width; x++) {
+            s->stencil[(size_t)y * (size_t)s->scene->width + (size_t)x] = row[x];
+        }
+    }
+}
+
 static bool draw_frame(struct etch_simulation *s, const struct buffers *b, size_t elements,
                        const char *path, struct etch_error *error)
 {
-    const struct etch_frame_memory memory = {
-        .pixels = {b->pixels[0], b->pixels[1]}, .depth = b->depth, .size = (uint32_t)elements};
+    const struct etch_frame_memory memory = {.pixels = {b->pixels[0], b->pixels[1]},
+                                             .depth = b->depth,
+                                             .size = (uint32_t)elements,
+                                             .stencil = b->stencil};
     struct etch_frame frame;
     bool ok = true;
     int status = etch_frame_init(&frame, &s->screen.display, memory);
@@ -74,6 +105,7 @@ static bool draw_frame(struct etch_simulation *s, const struct buffers *b, size_
              strip = etch_frame_next(&frame)) {
             ok = etch_scene_draw(s->scene, strip, s->counts ? &s->stats : NULL);
             keep_depth(s, strip);
+            keep_stencil(s, strip);
         }
         status = etch_frame_end(&frame);
     }
@@ -95,7 +127,7 @@ static int16_t rows_of(const struct etch_simulation *s)
 bool etch_simulate(struct etch_simulation *s, const char *path, struct etch_error *error)
 {
     const struct etch_scene *scene = s->scene;
-    struct buffers buffers = {{NULL, NULL}, NULL};
+    struct buffers buffers = {{NULL, NULL}, NULL, NULL};
     const struct etch_display frame = {
         .width = scene->width, .height = scene->height, .format = scene->format};
     size_t elements;
@@ -120,5 +152,6 @@ void etch_simulation_close(struct etch_simulation *s)
 {
     etch_screen_close(&s->screen);
     free(s->depth);
-    s->depth = NULL;
+    free(s->stencil);
+    s->depth = s->stencil = NULL;
 }

@@ -11,14 +11,16 @@ struct etch_simulation {
     struct etch_screen_panel panel; /* read if the port is a panel */
     int16_t rows;                   /* of a strip, 1 .. the scene's height */
     bool keeps_depth;               /* the depth of the whole frame is wanted */
+    bool keeps_stencil;             /* likewise */
     bool counts;                    /* fill in stats */
 
     /* Filled in. */
     struct etch_screen screen;
     struct etch_scene_stats stats;
-    uint16_t *depth;                   /* of the whole frame, rows as far apart as the screen's */
-    uint64_t color_bytes, depth_bytes; /* RAM that the buffers take, or a direct display's
-                                          memory */
+    uint16_t *depth;   /* of the whole frame, rows without a gap */
+    uint16_t *stencil; /* likewise, a word a value */
+    /* RAM that the buffers take, or a direct display's memory */
+    uint64_t color_bytes, depth_bytes, stencil_bytes;
 };
 
 /* Draws one frame. False, with the reason in *error, which names `path`, if the port is unknown

@@ -22,7 +22,6 @@ rejects_mesh '3: there is no such perspective' 'perspective 180 1 10'
 rejects_mesh '3: there is no such perspective' 'perspective 45 10 1'
 rejects_mesh '3: there is no such perspective' 'parallel 0 1 10'
 rejects_mesh '3: the camera has no direction' 'camera 1 1 1  1 1 1'
-rejects_mesh '3: drawing with this "state blend"' 'state blend mul'
 
 obj '0: no face' ''
 obj '0: no face' 'v 0 0 0\n'

@@ -14,7 +14,9 @@ rejects 'another picture' '^etch-sim: a picture.s name ends in' "$a" -o "$out/o.
 rejects 'no picture name' '^etch-sim: a picture.s name ends in' "$a" -o png
 rejects 'the same file' '^etch-sim: one file in two places' "$a" --raw "$out/o.x" --depth "$out/o.x"
 rejects 'over the scene' '^etch-sim: one file in two places' "$a" --raw "$a"
-rejects 'stencil' '^etch-sim: not supported yet: --stencil' "$a" --stencil "$out/o.s8"
+rejects 'no stencil file' '^etch-sim: a value is missing after --stencil' "$a" --stencil
+rejects 'the stencil file is another' '^etch-sim: one file in two places' "$a" --raw "$out/o.x" \
+    --stencil "$out/o.x"
 rejects 'no rows' '^etch-sim: --strip takes rows' "$a" --strip 0 -o "$out/o.png"
 rejects 'rows' '^etch-sim: --strip takes rows' "$a" --strip x -o "$out/o.png"
 rejects 'a port' "^$a:0: no port \"tv\"; there are: memory strips" "$a" --port tv -o "$out/o.png"

@@ -9,7 +9,7 @@ draws 'shapes' 'scene 3 1\nfillrect 0 0 1 1 255 0 0\nline 1 0 1 9 0 255 0\ncircl
     '00f8e0071f00'
 
 scene '2: state is missing' 'scene 8 8\nstate\n'
-scene '2: unknown state "fog"' 'scene 8 8\nstate fog on\n'
+scene '2: unknown state "mist"' 'scene 8 8\nstate mist on\n'
 scene '2: ztest: "smaller" is unknown' 'scene 8 8\nstate ztest smaller\n'
 scene '2: zwrite: "2" is unknown' 'scene 8 8\nstate zwrite 2\n'
 scene '2: height is missing' 'scene 8 8\nstate scissor 1 2 3\n'
@@ -35,13 +35,9 @@ scene '2: u: "a" is not a decimal' 'scene 8 8\ntri 0 0 0 1 0 0 0 0 a 0\n'
 scene '2: x: 32768 does not fit 16.16' 'scene 8 8\nctri 32768 0 0 0 0 0 0 0 0 0\n'
 scene '2: w: -32768\.00001 does not fit' 'scene 8 8\nctri 0 0 0 -32768.00001 0 0 0 0 0 0\n'
 
-# What etch cannot draw yet is refused where it would be drawn, and idle where it would not.
-for state in 'blend alpha' 'tex modulate' 'atest 1' 'mode fast' 'stencil always 1 255 keep keep keep'
-do
-    for draw in "$tri" "$ctri"; do
-        scene "3: drawing with this \"state ${state%% *}\" is not supported" \
-            "scene 8 8\nstate $state\n$draw\n"
-    done
+# State of fragments draws (fragments.sh) and does not concern shapes.
+for state in 'blend alpha' 'tex modulate' 'atest 1' 'mode fast' 'stencil never 1 255 keep keep keep' \
+    'fog linear 0 1 255 255 255' 'logic clear' 'colormask 0 0 0'; do
     draws "state $state is idle" "scene 1 1\nstate $state\npoint 0 0 255 0 0\n" '00f8'
 done
 draws 'blend off again' "scene 1 1\nstate blend add\nstate blend off\n$tri\n" '00f8'

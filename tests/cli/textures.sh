@@ -127,26 +127,24 @@ for persp in 0 1; do
     texture_depth off 1 $persp 00f800f800f8 '100 100 100'
 done
 
-# What is not drawn yet.
-refused() { # WHAT STATEMENTS
-    for draw in "$over" "ctri $clip"; do
-        scene "4: drawing with $1 is not supported yet" "scene 8 8\nstate tex replace\n$2\n$draw\n"
-    done
-}
-refused 'a texture of 3 x 1' 'texture 3 1 00000000 00000000 00000000'
-refused 'this "state filter"' 'state filter linear'
-refused 'this "state wrap"' 'state wrap mirror'
-refused 'this "state tex"' 'state tex modulate'
-refused 'this "state mode"' 'state mode exact'
-refused 'this "state blend"' 'state blend alpha'
-refused 'this "state atest"' 'state atest 1'
-scene '5: drawing with this "state mode" is not' \
-    "scene 8 8\nstate tex replace\nstate mode fast\nstate ztest greater\n$wide\n"
+# What no fused kernel draws is drawn by stages.
+bar='texture 3 1 FF0000FF 00FF00FF 0000FFFF'
+row='scene 3 1\nstate tex replace\n'
+draws 'a texture of 3 x 1' "$row$bar\n$over\n" 1f0000f8e007
+draws 'a texture clamped' "${row}state wrap clamp\n$bar\n$over\n" 00f800f8e007
+draws 'a texture mirrored' "${row}state wrap mirror\n$bar\n$over\n" 00f800f8e007
+draws 'a texture filtered, texel on pixel' "${row}state filter linear\n$bar\n$over\n" 1f0000f8e007
+draws 'a texture under white' "scene 3 1\nstate tex modulate\n$bar\n$over\n" 1f0000f8e007
+draws 'a texture as a decal' "scene 3 1\nstate tex decal\n$bar\n$over\n" 1f0000f8e007
+scene '4: drawing with this "state mode" is not supported' \
+    "scene 8 8\nstate mode exact\nstate tex replace\n$wide\n"
+draws 'fast where there is no faster kernel' \
+    "scene 1 1\nstate tex replace\n$ramp\nstate mode fast\nstate ztest greater\n$wide\n" 0000
 scene '3: "state tex" is on, but there is no texture' "scene 8 8\nstate tex replace\n$wide\n"
 head -c 196608 /dev/zero >"$out/zeros"
 { printf 'P6 8192 8 255\n' && cat "$out/zeros"; } >"$out/wide.ppm"
-scene '4: drawing with a texture of 8192 x 8 is not' \
-    "scene 8 8\nstate tex replace\ntexture ppm wide.ppm\n$wide\n"
+draws 'a texture of 8192 x 8' \
+    "scene 1 1\nclear 255 255 255\nstate tex replace\ntexture ppm wide.ppm\n$over\n" 0000
 { printf 'P6 2 32768 255\n' && cat "$out/zeros"; } >"$out/wide.ppm"
 scene '2: wide.ppm has a side' 'scene 8 8\ntexture ppm wide.ppm\n'
 rm "$out/zeros" "$out/wide.ppm"
@@ -154,8 +152,8 @@ printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >"$out/right.obj"
 scene '4: "state tex" needs a mesh with a vt' \
     "scene 8 8\nstate tex replace\n$ramp\nmesh right.obj\n"
 for z in '-3 1' '1.5 1' '0 0'; do
-    scene '4: a textured ctri that is to be clipped' \
-        "scene 8 8\nstate tex replace\n$ramp\nctri 0 0 $z $t 0 0  9 0 0 9 $t 0 0  0 9 0 9 $t 0 0\n"
+    draws 'a textured ctri that is clipped' "scene 2 1\nclear 255 255 255\nstate tex replace\n$(
+        )texture 1 1 0000FFFF\nctri -9 -9 $z $t 0 0  9 -9 0 9 $t 0 0  0 9 0 9 $t 0 0\n" 1f00ffff
 done
 outside="2 0 0 1 $t 0 0  3 0 0 1 $t 0 0  2 0 -9 1 $t 0 0"
 draws 'a textured ctri outside' "scene 1 1\nstate tex replace\n$ramp\nctri $outside\n" 0000

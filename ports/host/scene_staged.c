@@ -1,0 +1,112 @@
+/* ports/host/scene_staged.c: which pipeline draws a state: a fused kernel if there is one
+ * (scene_pipeline.c), else stages (scene_stages.c); and draws the latter. The statements that read
+ * triangles and meshes ask, once a primitive. */
+#include "scene_staged.h"
+
+#include <string.h>
+
+void etch_scene_staged_draw(struct etch_scene_run *run, struct etch_scene_staged *staged,
+                            const struct etch_vertex *const v[3])
+{
+    struct etch_texture_vertex leveled[3];
+    const struct etch_vertex *corners[3] = {v[0], v[1], v[2]};
+    struct etch_staged_planes planes;
+    const struct etch_pipeline pipeline = {staged->varyings, staged->stages[run->scene->format],
+                                           run->stats != NULL ? etch_scene_count
+                                                              : etch_kernel_staged};
+
+    run->kernel = etch_kernel_staged;
+    if (staged->of != NULL) {
+        const struct etch_texture_vertex *const wide[3] = {(const void *)v[0], (const void *)v[1],
+                                                           (const void *)v[2]};
+
+        etch_scene_sample_triangle(&staged->sampling, &staged->sampler, leveled, wide);
+        for (int i = 0; i < 3; i++) {
+            corners[i] = &leveled[i].at;
+        }
+    }
+    etch_triangle_staged(&run->surface, corners, &pipeline, &planes);
+}
+
+/* Whether a fused kernel draws the triangle, and with which one. */
+static const struct etch_scene_pipeline *find_fused(const struct etch_scene_reader *reader,
+                                                    struct etch_scene_differs differs)
+{
+    const struct etch_scene_state *state = &reader->state;
+
+    if (state->tex != 0 && !etch_scene_texture_is_plain(reader)) {
+        return NULL;
+    }
+    if (state->tex == 0 && state->shade == 0 && state->persp != 0 && differs.w && differs.color) {
+        return NULL; /* colours in perspective */
+    }
+    return etch_scene_pipeline_find(state);
+}
+
+static bool is_same(const struct etch_scene_staged *staged, const struct etch_scene_reader *reader,
+                    struct etch_scene_differs differs)
+{
+    return staged != NULL && memcmp(&staged->state, &reader->state, sizeof reader->state) == 0 &&
+           staged->differs.w == differs.w && staged->differs.color == differs.color &&
+           (reader->state.tex == 0 || staged->of == reader->texture);
+}
+
+/* The latest pipeline of stages if it still fits, or a new one. */
+static const struct etch_scene_pipeline *take_staged(struct etch_scene_reader *reader,
+                                                     struct etch_scene_differs differs)
+{
+    struct etch_scene_staged *staged = reader->staged;
+
+    if (is_same(staged, reader, differs)) {
+        return &staged->pipeline;
+    }
+    staged = etch_scene_data(reader, sizeof *staged);
+    if (staged == NULL) {
+        return NULL;
+    }
+    memcpy(&staged->state, &reader->state, sizeof staged->state);
+    staged->differs = differs;
+    if (reader->state.tex != 0) {
+        if (!etch_scene_take_sampler(reader, &staged->sampling)) {
+            return NULL;
+        }
+        staged->of = reader->texture;
+    }
+    etch_scene_staged_build(staged);
+    reader->staged = staged;
+    return &staged->pipeline;
+}
+
+const struct etch_scene_pipeline *
+etch_scene_read_triangle_pipeline(struct etch_scene_reader *reader,
+                                  struct etch_scene_differs differs)
+{
+    const struct etch_scene_pipeline *pipeline;
+
+    if (reader->state.mode == 2) {
+        (void)etch_text_fail(&reader->text,
+                             "drawing with this \"state mode\" is not supported yet");
+        return NULL;
+    }
+    if (reader->state.tex != 0 && reader->texture == NULL) {
+        (void)etch_text_fail(&reader->text, "\"state tex\" is on, but there is no texture");
+        return NULL;
+    }
+    pipeline = find_fused(reader, differs);
+    if (pipeline == NULL) {
+        pipeline = take_staged(reader, differs);
+    }
+    if (pipeline != NULL) {
+        reader->scene->uses_depth |= reader->state.ztest != 0;
+        reader->scene->uses_stencil |= reader->state.stencil != 0;
+    }
+    return pipeline;
+}
+
+const struct etch_scene_pipeline *etch_scene_read_pipeline(struct etch_scene_reader *reader)
+{
+    /* textures have a w; colours are linear on the screen */
+    const struct etch_scene_differs differs = {reader->state.tex != 0, false};
+
+    return etch_scene_read_triangle_pipeline(reader, differs);
+}
