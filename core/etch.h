@@ -57,6 +57,8 @@
 #include "draw/mesh.h"
 #include "draw/mesh_varying.h"
 #include "draw/point.h"
+#include "draw/ordering.h"
+#include "draw/painter.h"
 #include "draw/polygon.h"
 #include "draw/retained.h"
 #include "draw/shapes.h"
