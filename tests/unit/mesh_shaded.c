@@ -51,6 +51,32 @@ static void vertices_stand_in_the_world(void)
     }
 }
 
+static int32_t triangles;
+
+static void check_color(struct etch_sink *sink, const struct etch_vertex *const v[3])
+{
+    (void)sink;
+    triangles++;
+    for (int i = 0; i < 3; i++)
+        CHECK(v[i]->r == 0 && v[i]->g == 255);
+}
+
+/* A stage of lamps is a stage like others to etch_mesh_draw. */
+static void meshes_are_drawn_with_it(void)
+{
+    static const struct etch_vector eye = {200000, 100000, 200000}, centre = {0, 0, 0};
+    struct etch_sink sink = {.triangle = check_color};
+    const struct etch_assembly assembly = assembly_for(&sink, screen);
+    const struct etch_matrix clip = camera(&eye, &centre, 655, 40 * 65536);
+    struct etch_mesh_shaded_stage stage;
+    struct etch_matrix model;
+
+    etch_matrix_identity(&model);
+    CHECK_EQ(etch_mesh_shaded_init(&stage, &octahedron, &clip, &model, note_point, &seen), ETCH_OK);
+    CHECK_EQ(etch_mesh_draw(&stage.stage, &assembly, buffer, 6), ETCH_OK);
+    CHECK_EQ(triangles, 8);
+}
+
 static void mesh_without_normals_has_none(void)
 {
     struct etch_matrix m;
@@ -71,5 +97,6 @@ static void mesh_without_normals_has_none(void)
 void suite_mesh_shaded(void)
 {
     RUN(vertices_stand_in_the_world);
+    RUN(meshes_are_drawn_with_it);
     RUN(mesh_without_normals_has_none);
 }
