@@ -65,6 +65,7 @@ static uint8_t find_cheapest(const struct etch_dirty *dirty, struct etch_rect ar
 
 void etch_dirty_add(struct etch_dirty *dirty, struct etch_rect area)
 {
+    ETCH_ASSERT(dirty != NULL && dirty->count <= ETCH_DIRTY_MOST);
     if (etch_rect_is_empty(area)) {
         return;
     }

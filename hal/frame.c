@@ -15,8 +15,14 @@ static int16_t rows_that_fit(const struct etch_frame *frame)
 int etch_frame_init(struct etch_frame *frame, const struct etch_display *display,
                     struct etch_frame_memory memory)
 {
-    const bool direct = display->memory != NULL;
+    bool direct;
 
+    ETCH_ASSERT(frame != NULL && display != NULL && display->flush != NULL &&
+                display->wait != NULL);
+    ETCH_ASSERT(
+        (((uintptr_t)memory.pixels[0] | (uintptr_t)memory.pixels[1] | (uintptr_t)memory.depth) &
+         1) == 0);
+    direct = display->memory != NULL;
     *frame = (struct etch_frame){.display = display, .memory = memory};
     if (display->width < 1 || display->height < 1) {
         return ETCH_EINVAL;
@@ -159,6 +165,7 @@ static struct etch_surface *next_area(struct etch_frame *frame)
 struct etch_surface *etch_frame_begin_areas(struct etch_frame *frame, const struct etch_rect *areas,
                                             uint16_t count)
 {
+    ETCH_ASSERT(frame != NULL && (areas != NULL || count == 0));
     (void)settle(frame);
     frame->status = ETCH_OK;
     frame->index = 0;

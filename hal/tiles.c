@@ -151,6 +151,7 @@ int etch_tiles_init(struct etch_tiles *t, const struct etch_display *inner,
     const int32_t w = setup.tile_width, h = setup.tile_rows;
     uint32_t across, down;
 
+    ETCH_ASSERT(t != NULL && inner != NULL && setup.hash != NULL);
     if (inner->memory != NULL || w < 1 || h < 1 ||
         (inner->align_x > 1 && w % inner->align_x != 0)) {
         return ETCH_EINVAL;

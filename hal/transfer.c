@@ -19,10 +19,12 @@ static int start(struct etch_transfer *t, const uint8_t *bytes, uint32_t n)
 int etch_transfer_start(struct etch_transfer *t, struct etch_pieces *pieces)
 {
     uint32_t n = 0;
-    const uint8_t *bytes = pieces->next(pieces, &n);
+    const uint8_t *bytes;
     int status;
 
-    ETCH_ASSERT(!t->runs && bytes != NULL);
+    ETCH_ASSERT(t != NULL && t->start != NULL && pieces != NULL && !t->runs);
+    bytes = pieces->next(pieces, &n);
+    ETCH_ASSERT(bytes != NULL);
     /* The second piece is made now: the interrupt may come before `start` returns. */
     t->pieces = pieces;
     t->ahead = pieces->next(pieces, &t->ahead_size);

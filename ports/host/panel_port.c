@@ -18,6 +18,7 @@ static const struct {
     {"st7735-80x160", &etch_st7735_80x160},
     {"gc9a01", &etch_gc9a01},
     {"ili9488", &etch_ili9488},
+    {"st7796", &etch_st7796},
     {"ssd1351", &etch_ssd1351},
     {"ssd1306", &etch_ssd1306},
     {"ssd1306-128x32", &etch_ssd1306_128x32},

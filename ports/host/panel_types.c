@@ -18,6 +18,7 @@ const struct etch_panel_type etch_panel_types[] = {
     {"st7735-80x160", ETCH_PANEL_DCS, 80, 160, 132, 162, 26, 1, true, true, true, true, false},
     {"gc9a01", ETCH_PANEL_DCS, 240, 240, 240, 240, 0, 0, false, false, true, true, false},
     {"ili9488", ETCH_PANEL_DCS, 320, 480, 320, 480, 0, 0, true, false, true, false, true},
+    {"st7796", ETCH_PANEL_DCS, 320, 480, 320, 480, 0, 0, true, false, true, false, false},
     {"ssd1351", ETCH_PANEL_SSD1351, 128, 128, 128, 128, 0, 0, false, false, true, false, false},
     {"ssd1306", ETCH_PANEL_SSD1306, 128, 64, 128, 64, 0, 0, true, true, false, false, false},
     {"ssd1306-128x32", ETCH_PANEL_SSD1306, 128, 32, 128, 64, 0, 0, true, true, false, false, false},

@@ -24,6 +24,9 @@ extern const struct etch_lcd_panel etch_gc9a01; /* 240 x 240 */
 /* ili9488.c: takes 18 bits a pixel on SPI; needs a scratch buffer */
 extern const struct etch_lcd_panel etch_ili9488; /* 320 x 480 */
 
+/* st7796.c */
+extern const struct etch_lcd_panel etch_st7796; /* 320 x 480 */
+
 /* ssd1351.c: colour OLED */
 extern const struct etch_lcd_panel etch_ssd1351; /* 128 x 128 */
 
@@ -34,7 +37,9 @@ extern const struct etch_lcd_panel etch_ssd1306_128x32; /* 128 x 32 */
 /* ssd0323.c: OLED with 16 grey levels; needs a scratch buffer */
 extern const struct etch_lcd_panel etch_ssd0323; /* 128 x 64 */
 
-/* The commands that the MIPI display command set gives most controllers; dcs.c. */
-extern const struct etch_lcd_controller etch_lcd_dcs;
+/* Controllers: the commands that the MIPI display command set gives most of them. */
+extern const struct etch_lcd_controller etch_lcd_dcs;        /* dcs.c: RGB565 */
+extern const struct etch_lcd_controller etch_lcd_dcs_rgb666; /* dcs_rgb666.c: 18 bits a pixel;
+                                                                needs a scratch buffer */
 
 #endif

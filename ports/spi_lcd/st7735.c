@@ -1,7 +1,7 @@
 /* ports/spi_lcd/st7735.c: ST7735R and ST7735S. Tables for lcd.c. Their memory is 132 x 162, 132 x
  * 132 or 128 x 160, as three pins of the chip say. Values as Adafruit's driver and
  * TFT_eSPI both set them; frame rate, power and gamma vary by module. */
-#include "panels.h"
+#include "dcs.h"
 
 /* clang-format off */
 static const uint8_t init[] = {
@@ -28,30 +28,8 @@ static const uint8_t init[] = {
 };
 /* clang-format on */
 
-/* Every command that it shares with the set, but brightness. */
-static const struct etch_lcd_controller st7735 = {
-    .column = 0x2A,
-    .row = 0x2B,
-    .write = 0x2C,
-    .address_bytes = 2,
-    .column_pixels = 1,
-    .row_pixels = 1,
-    .addresses_turn = true,
-    .orient = 0x36,
-    .flip_columns = 0x40,
-    .flip_rows = 0x80,
-    .swap = 0x20,
-    .bgr = 0x08,
-    .scan_up = 0x10,
-    .sleep = 0x10,
-    .wake = 0x11,
-    .off = 0x28,
-    .on = 0x29,
-    .straight = 0x20,
-    .inverted = 0x21,
-    .tearing = 0x35,
-    .turn = etch_lcd_orient,
-};
+/* Every command of the set, but brightness. */
+static const struct etch_lcd_controller st7735 = {ETCH_LCD_DCS};
 
 const struct etch_lcd_panel etch_st7735_red = {
     .controller = &st7735,

@@ -13,7 +13,7 @@ enum {
 
 static struct etch_panel_port port;
 
-/* Sends a frame in strips of ROWS rows; its bytes beside pixels, or -1. */
+/* Sends a frame in strips of ROWS rows and counts it; its bytes beside pixels, or -1. */
 static long send_frame(void)
 {
     static uint16_t buffer[2][480 * ROWS];
@@ -54,12 +54,12 @@ static int print_row(const struct etch_panel_type *t)
         return 1;
     }
     etch_panel_clock(&port.panel, CLOCK, 1);
+    overhead = send_frame(); /* the first one sets a window */
     from = port.panel.now_ns;
-    overhead = send_frame();
+    overhead = overhead < 0 ? overhead : send_frame();
     ns = port.panel.now_ns - from;
     payload = port.panel.bytes - (uint64_t)overhead;
-    /* At most 1 %, or the one window of a frame that is too small for that. */
-    if (overhead < 0 || ((uint64_t)overhead * 100 > payload && port.panel.commands > 2)) {
+    if (overhead < 0 || (uint64_t)overhead * 100 > payload) {
         (void)fprintf(stderr, "%s: %s, %ld bytes beside %lu of pixels\n", t->name, port.panel.error,
                       overhead, (unsigned long)payload);
         return 1;

@@ -84,20 +84,22 @@ static int torn_at(const struct etch_panel_scan *scan, int64_t delay_us, int num
     return etch_panel_torn(&port.panel, scan);
 }
 
+static const struct etch_scan square = {
+    .period_us = 16667, .lines = 240, .blank = 12, .along = true};
+
 /* On a panel at several bus clocks: begun as planned, no pass is torn; begun a millisecond too
  * late or too early, one is; where there is no plan, every start tears. */
 static void a_frame_begun_as_planned_does_not_tear(void)
 {
     static const uint32_t clocks[] = {80000000, 62500000, 40000000, 32000000, 20000000};
-    const struct etch_scan s = {.period_us = 16667, .lines = 240, .blank = 12, .along = true};
     int number = 1, planned = 0;
 
     if (!CHECK_EQ(etch_panel_port_open(&port, "st7789-240x240", 0), 0))
         return;
     for (size_t i = 0; i < sizeof clocks / sizeof clocks[0]; i++) {
-        const struct etch_panel_scan scan = scan_of(&s, false);
+        const struct etch_panel_scan scan = scan_of(&square, false);
         const uint32_t write = (uint32_t)(UINT64_C(8000000) * (240 * 240 * 2 + 11) / clocks[i]);
-        const int32_t delay = etch_scan_plan(&s, write + 1, 10);
+        const int32_t delay = etch_scan_plan(&square, write + 1, 10);
 
         etch_panel_clock(&port.panel, clocks[i], 1);
         if (delay < 0) {
@@ -117,7 +119,6 @@ static void a_frame_begun_as_planned_does_not_tear(void)
  * does not. By a quarter it runs across and tears. */
 static void the_scan_can_follow_the_frame(void)
 {
-    const struct etch_scan s = {.period_us = 16667, .lines = 240, .blank = 12, .along = true};
     static const struct {
         uint8_t turn;
         bool up, torn;
@@ -126,14 +127,52 @@ static void the_scan_can_follow_the_frame(void)
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         if (!CHECK_EQ(etch_panel_port_open(&port, "st7789-240x240", cases[i].turn), 0))
             return;
-        const struct etch_panel_scan scan = scan_of(&s, (port.panel.orient & 0x10) != 0);
+        const struct etch_panel_scan scan = scan_of(&square, (port.panel.orient & 0x10) != 0);
 
         CHECK_EQ(scan.up, cases[i].up);
         etch_panel_clock(&port.panel, 80000000, 1);
-        CHECK_EQ(torn_at(&scan, etch_scan_plan(&s, 11525, 10), 1) > 0, cases[i].torn);
+        CHECK_EQ(torn_at(&scan, etch_scan_plan(&square, 11525, 10), 1) > 0, cases[i].torn);
         panel_check(&port, 1);
         etch_panel_port_close(&port);
     }
+}
+
+/* What an application gives as setup.sync: waits for the pulse of the tearing-effect line, which the
+ * driver must have switched on, and then as long as the plan says. */
+static int wait_for_scan(const struct etch_display *d)
+{
+    const struct etch_panel_scan scan = scan_of(&square, false);
+    const int32_t delay = etch_scan_plan(&square, 23067, 10); /* 240 rows at 40 MHz */
+
+    (void)d;
+    if (!port.panel.pulses || delay < 0)
+        return ETCH_EIO;
+    etch_panel_elapse(&port.panel, etch_panel_until_pulse(&port.panel, &scan));
+    etch_panel_elapse(&port.panel, (uint64_t)delay * 1000);
+    return 0;
+}
+
+/* A panel opened with it shows frame after frame whole, however they follow one another; a restart
+ * keeps the line on. Without it the line is off. */
+static void a_panel_waits_for_its_line(void)
+{
+    const struct etch_lcd_setup setup = {.sync = wait_for_scan};
+    const struct etch_panel_scan scan = scan_of(&square, false);
+
+    if (!CHECK_EQ(etch_panel_port_open(&port, "st7789-240x240", 0), 0))
+        return;
+    CHECK(!port.panel.pulses);
+    CHECK_EQ(etch_lcd_open(&port.lcd, &etch_st7789_240x240, &port.bus.bus, setup), 0);
+    CHECK_EQ(etch_lcd_restart(&port.lcd), 0);
+    etch_panel_clock(&port.panel, 40000000, 1);
+    for (int number = 1; number <= 12; number++) {
+        etch_panel_elapse(&port.panel, (uint64_t)number * 1234567);
+        etch_panel_begin_changes(&port.panel);
+        CHECK_EQ(panel_frame(&port, number, 240, 1), 0);
+        CHECK_EQ(etch_panel_torn(&port.panel, &scan), 0);
+        panel_check(&port, number);
+    }
+    etch_panel_port_close(&port);
 }
 
 static int synced, sync_status;
@@ -167,5 +206,6 @@ void suite_panel_scan(void)
     RUN(plans_are_safe_and_found_if_there_are_any);
     RUN(a_frame_begun_as_planned_does_not_tear);
     RUN(the_scan_can_follow_the_frame);
+    RUN(a_panel_waits_for_its_line);
     RUN(the_loop_asks_when_to_begin);
 }
