@@ -7,6 +7,7 @@
 #include "../../core/fragment/depth_rows.h"
 #include "../../core/fragment/flat.h"
 #include "../../core/fragment/gouraud_narrow.h"
+#include "../../core/raster/edge.h"
 #include "../../core/raster/line_walk.h"
 
 #define WORDS 20000
@@ -17,6 +18,8 @@ void portable_etch_line_walk(uint16_t *p, uint32_t n, ptrdiff_t along, ptrdiff_t
                              int32_t du, int32_t dv, uint16_t color);
 etch_depth_rows portable_etch_depth_rows_less, portable_etch_depth_rows_lequal;
 etch_kernel portable_etch_gouraud_narrow_less, portable_etch_gouraud_narrow_lequal;
+int16_t *portable_etch_edge_run(struct etch_point_q8 a, struct etch_point_q8 b, int16_t *out,
+                                int32_t n);
 etch_kernel portable_etch_kernel_flat, portable_etch_kernel_gouraud;
 
 static uint32_t leaf[WORDS], portable[WORDS], seed;
@@ -192,6 +195,21 @@ static bool line_differs(void)
     return differ();
 }
 
+/* Edges of every slope. */
+static bool edge_differs(void)
+{
+    const uint32_t wide = UINT32_C(1) << below(23), tall = UINT32_C(1) << below(14);
+    const struct etch_point_q8 a = {(int32_t)below(1 << 22) - (1 << 21), (int32_t)below(1 << 22)};
+    const struct etch_point_q8 b = {a.x + (int32_t)below(2 * wide + 1) - (int32_t)wide,
+                                    a.y + 1 + (int32_t)below(tall)};
+    const int32_t n = 1 + (int32_t)below(ETCH_RUN_BLOCK);
+
+    wipe();
+    return etch_edge_run(a, b, (int16_t *)leaf, n) - (int16_t *)leaf !=
+               portable_etch_edge_run(a, b, (int16_t *)portable, n) - (int16_t *)portable ||
+           differ();
+}
+
 int main(void)
 {
     seed = 1;
@@ -218,6 +236,9 @@ int main(void)
         if (depth_differs(etch_gouraud_narrow_lequal, portable_etch_gouraud_narrow_lequal,
                           i % 2 == 0))
             return 8;
+        for (uint32_t k = 0; k < 4; k++)
+            if (edge_differs())
+                return 9;
     }
     return 0;
 }

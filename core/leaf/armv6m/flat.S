@@ -10,32 +10,26 @@ etch_kernel_flat:           @ surface, y0, runs, n, [paint]
     push {r4-r7, lr}
     mov r4, r8
     mov r5, r9
-    mov r6, r10
-    mov r7, r11
-    push {r4-r7}
+    push {r4, r5}
 
     lsls r3, #2
     adds r3, r2
-    mov r10, r3             @ end of the runs
+    mov lr, r3              @ end of the runs
     ldrh r4, [r0, #8]       @ surface->stride
     lsls r4, #1
     mov r9, r4
-    movs r5, #12
-    ldrsh r5, [r0, r5]      @ window.y0
+    ldrh r5, [r0, #12]      @ window.y0
     subs r5, r1, r5
     muls r4, r5
-    movs r5, #10
-    ldrsh r5, [r0, r5]      @ window.x0
+    ldrh r5, [r0, #10]      @ window.x0
     lsls r5, #1
     subs r4, r5
     ldr r5, [r0]            @ pixels
     adds r4, r5
     mov r8, r4              @ address of column 0
-    ldr r3, [sp, #36]
+    ldr r3, [sp, #28]
     ldrh r3, [r3, #4]       @ paint->color
     spread
-    ldr r7, =.Lend_of_chain
-    mov r11, r7
     ldr r7, =.Lend_of_short
     mov r12, r7
 
@@ -60,14 +54,13 @@ etch_kernel_flat:           @ surface, y0, runs, n, [paint]
 .Lend_of_short:
     add r8, r9
     adds r2, #4
-    cmp r2, r10
+    cmp r2, lr
     bne .Lrow
 
-    pop {r4-r7}
+.Lexit:
+    pop {r4, r5}
     mov r8, r4
     mov r9, r5
-    mov r10, r6
-    mov r11, r7
     pop {r4-r7, pc}
 
 .Lwide:
@@ -82,13 +75,18 @@ etch_kernel_flat:           @ surface, y0, runs, n, [paint]
     cmp r7, #64
     bhi .Llong
 .Ljump:
-    lsls r7, #1
     negs r7, r7
-    add r7, r11
-    mov pc, r7
+    adds r7, #64            @ stores to leave out
+    lsls r7, #1
+    add pc, r7
+    nop
     store_chain .Lend_of_chain
     store_rest
-    b .Lend_of_short
+    add r8, r9
+    adds r2, #4
+    cmp r2, lr
+    bne .Lrow
+    b .Lexit
 
 .Llong:                     @ more than 64 stores: down to 64
     stmia r0!, {r3-r6}

@@ -33,12 +33,10 @@ etch_kernel_texture:        @ surface, y0, runs, n, [paint]
     ldrh r4, [r0, #SURFACE_STRIDE]
     lsls r4, #1
     str r4, [sp, #12]
-    movs r5, #SURFACE_Y0
-    ldrsh r5, [r0, r5]
+    ldrh r5, [r0, #SURFACE_Y0]
     subs r5, r1, r5
     muls r4, r5
-    movs r5, #SURFACE_X0
-    ldrsh r5, [r0, r5]
+    ldrh r5, [r0, #SURFACE_X0]
     lsls r5, #1
     subs r4, r5
     ldr r5, [r0, #SURFACE_PIXELS]
