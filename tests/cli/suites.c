@@ -3,8 +3,9 @@
 
 void suite_decimal(void);
 void suite_dump(void);
+void suite_fragments(void);
 void suite_obj(void);
 
 extern const struct test_suite test_suites[];
 const struct test_suite test_suites[] = {
-    {"decimal", suite_decimal}, {"dump", suite_dump}, {"obj", suite_obj}, {0, 0}};
+    {"decimal", suite_decimal}, {"dump", suite_dump}, {"fragments", suite_fragments}, {"obj", suite_obj}, {0, 0}};
