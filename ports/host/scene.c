@@ -121,6 +121,7 @@ static const struct etch_scene_statement *find_statement(struct etch_word word)
         etch_scene_frame_statements,    etch_scene_shape_statements, etch_scene_state_statements,
         etch_scene_triangle_statements, etch_scene_view_statements,  etch_scene_mesh_statements,
         etch_scene_line_statements,     etch_scene_line_clip_statements,
+        etch_scene_line_2d_statements,
     };
 
     for (size_t i = 0; i < sizeof tables / sizeof tables[0]; i++) {

@@ -9,7 +9,8 @@
  *      scene_texture.c   texture
  *      scene_triangles.c tri ctri
  *      scene_view.c      camera perspective parallel ambient light material model
- *      scene_lines.c     cline wideline cpoint ddaline halfspace gradient
+ *      scene_lines.c     cline wideline cpoint
+ *      scene_lines_2d.c  ddaline halfspace gradient
  *      scene_lines_clip.c  clipline clippolygon cvline cvtri
  *      scene_mesh.c      mesh */
 #ifndef ETCH_HOST_SCENE_STEPS_H
@@ -119,6 +120,7 @@ extern const struct etch_scene_statement etch_scene_view_statements[];
 extern const struct etch_scene_statement etch_scene_mesh_statements[];
 extern const struct etch_scene_statement etch_scene_line_statements[];
 extern const struct etch_scene_statement etch_scene_line_clip_statements[];
+extern const struct etch_scene_statement etch_scene_line_2d_statements[];
 
 /* ---- for reading ------------------------------------------------------------------------ */
 
