@@ -9,9 +9,9 @@
 bool etch_setup_small(struct etch_gouraud_paint *paint, struct etch_point_q8 p[3],
                       const struct etch_vertex *const v[3])
 {
-    struct etch_plane *const plane[3] = {&paint->r, &paint->g, &paint->b};
+    uint8_t *plane = (uint8_t *)paint + offsetof(struct etch_gouraud_paint, r); /* then g, b */
 
-    for (uint8_t channel = 0; channel < 3; channel++) {
+    for (uint8_t channel = 0; channel < 3; channel++, plane += sizeof(struct etch_plane)) {
         const bool green = channel == 1;
         const uint32_t factor = green ? 16579837 : 16316665;
         const uint32_t half = green ? UINT32_C(1) << 25 : UINT32_C(1) << 26;
@@ -24,7 +24,7 @@ bool etch_setup_small(struct etch_gouraud_paint *paint, struct etch_point_q8 p[3
             p[i].x = v[i]->x_q8;
             p[i].y = v[i]->y_q8;
         }
-        if (!etch_plane_setup_small(plane[channel], p, value))
+        if (!etch_plane_setup_small((struct etch_plane *)(void *)plane, p, value))
             return false;
     }
     return true;
