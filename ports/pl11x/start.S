@@ -1,7 +1,7 @@
 @ ports/pl11x/start.S: from reset to main on an Arm core of the classic or the application profile.
     .syntax unified
     .arm
-    .section .text.start, "ax"
+    .section .start, "ax"
     .global start
 start:
     ldr sp, =link_stack_top

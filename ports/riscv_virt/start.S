@@ -1,5 +1,5 @@
 # ports/riscv_virt/start.S: from reset to main on any RISC-V core. Others than the first wait.
-    .section .text.start, "ax"
+    .section .start, "ax"
     .option arch, +zicsr
     .global start
 start:

@@ -6,7 +6,7 @@ import re
 import subprocess
 import sys
 
-LIMIT_S = 600
+LIMIT_S = 240
 
 
 def main():
