@@ -13,7 +13,7 @@ uint32_t etch_rsqrt_q31(uint32_t s)
     for (uint8_t i = 0; i < 3; i++) {
         const uint32_t square_q15 = (uint32_t)y_q15 * (uint32_t)y_q15 >> 15;
         /* 1 - x y^2, |.| < 0.17: x y^2 < 2^32 / 2^31 */
-        const int32_t rest_q16 = ((int32_t)((UINT32_C(1) << 30) - (x_q16 * square_q15 >> 1))) >> 14;
+        const int32_t rest_q16 = ((INT32_C(1) << 30) - (int32_t)(x_q16 * square_q15 >> 1)) >> 14;
 
         y_q15 += y_q15 * rest_q16 >> 17; /* below 2^16 * 2^14 */
         if (y_q15 > 65535)

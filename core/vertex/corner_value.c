@@ -17,8 +17,8 @@ static struct wide from_limbs(const uint16_t limb[CORNER_LIMBS])
 {
     struct wide w = {(uint64_t)limb[5] << LIMB_BITS | limb[4], 0};
 
-    for (uint8_t i = LOW_LIMBS; i-- > 0;)
-        w.low = w.low << LIMB_BITS | limb[i];
+    for (uint8_t i = LOW_LIMBS; i > 0; i--)
+        w.low = w.low << LIMB_BITS | limb[i - 1];
     return w;
 }
 
@@ -55,7 +55,7 @@ int64_t etch_corner_value(const struct corner *corner, const int32_t value[3],
         weight[i] = from_limbs(corner->weight[i]);
         add(&all, &weight[i]);
     }
-    for (uint8_t bit = 32 + fraction_bits; bit-- > 0;) {
+    for (int8_t bit = (int8_t)(31 + fraction_bits); bit >= 0; bit--) {
         struct wide same = rest;
 
         add(&rest, &same);
