@@ -1,10 +1,12 @@
 /* fragment/source_blocks.h: texture coordinates in perspective for less than a divide a pixel.
  *
- *      stage                                divides             error where the coordinate curves by
- *                                                               s texels a pixel a pixel
- *      etch_source_texture_perspective      every pixel         none (source.h)
- *      etch_source_texture_blocks8          every 8 pixels      8 s texels
- *      etch_source_texture_blocks16         every 16 pixels     32 s texels
+ *      stage                               divides            error where the    instructions
+ *                                                             coordinate curves  a pixel, M0+
+ *                                                             by s texels/px^2
+ *      etch_source_texture_perspective     every pixel        none (source.h)    163
+ *      etch_source_texture_blocks8         every 8 pixels     8 s texels          64
+ *      etch_source_texture_blocks16        every 16 pixels    32 s texels         51
+ *      etch_source_texture                 none               affine              27
  *
  * Set up by etch_varying_texture_perspective (draw/staged.h). Coordinates are right where x is a
  * multiple of 8 or 16 of the frame, and linear between, held to the range of the vertices: strips

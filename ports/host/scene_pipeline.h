@@ -26,7 +26,7 @@ struct etch_scene_state {
     uint8_t mipmap;        /* off on */
     uint8_t atest;         /* off on */
     uint8_t atest_reference;
-    uint8_t mode; /* precise fast exact */
+    uint8_t mode; /* precise fast exact fast8 */
     uint8_t fog;  /* off linear exp */
     uint8_t fog_color[3];
     uint8_t logic; /* off clear and .. */

@@ -18,7 +18,8 @@ enum {
 };
 enum {
     PRECISE,
-    FAST
+    FAST,
+    FAST8 = 3
 };
 
 /* ---- an affine shader: coordinates as base/texture.h says ------------------------------------ */
@@ -125,11 +126,11 @@ static const struct row table[] = {
     ROWS(ALWAYS, 1, always),
 };
 
-/* Whether the state asks for what only samplers do. */
+/* Whether the state asks for what only stages do. */
 static bool is_beyond(const struct etch_scene_state *state)
 {
     return state->tex != 1 || state->filter != 0 || state->wrap != 0 || state->wrap_v > 1 ||
-           state->mipmap != 0;
+           state->mipmap != 0 || (state->mode == FAST8 && state->persp != 0);
 }
 
 static const struct etch_scene_pipeline *find(const struct etch_scene_state *state, uint8_t mode)

@@ -6,6 +6,7 @@
 #include "../../core/fragment/blend.h"
 #include "../../core/fragment/fog.h"
 #include "../../core/fragment/logic.h"
+#include "../../core/fragment/source_blocks.h"
 #include "../../core/fragment/stencil.h"
 #include "../../core/fragment/test.h"
 #include "../../core/fragment/write.h"

@@ -138,6 +138,12 @@ static void add_texture(struct builder *b)
         NAMED(etch_stage_texture_modulate),
         NAMED(etch_stage_texture_decal),
     };
+    static const struct named sources[] = {
+        NAMED(etch_source_texture_perspective),
+        NAMED(etch_source_texture_blocks16),
+        NAMED(etch_source_texture_perspective),
+        NAMED(etch_source_texture_blocks8),
+    };
     const struct etch_scene_state *state = &b->staged->state;
 
     if (state->tex == 0) {
@@ -145,12 +151,19 @@ static void add_texture(struct builder *b)
     }
     if (state->persp != 0 && b->staged->differs.w) {
         add_varying(b, etch_varying_texture_perspective);
-        ADD(b, etch_source_texture_perspective, NULL);
+        add_named(b, sources[state->mode], NULL);
     } else {
         add_varying(b, etch_varying_texture);
         ADD(b, etch_source_texture, NULL);
     }
     add_named(b, environments[state->tex], &b->staged->sampler);
+    for (int part = 0; part < ETCH_SCENE_SAMPLING_PARTS; part++) {
+        const char *name = etch_scene_sampling_name(&b->staged->sampling, part);
+
+        for (int order = 0; name != NULL && order < 2; order++) {
+            add_name(b->staged->names[order], sizeof b->staged->names[order], name);
+        }
+    }
 }
 
 static void add_fog(struct builder *b)

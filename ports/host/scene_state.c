@@ -22,7 +22,7 @@ static const char *const filters[] = {"nearest", "linear", NULL};
 static const char *const wraps[] = {"repeat", "clamp", "mirror", NULL};
 static const char *const wraps_v[] = {"same", "repeat", "clamp", "mirror", NULL};
 static const char *const off_on[] = {"off", "on", NULL};
-static const char *const modes[] = {"precise", "fast", "exact", NULL};
+static const char *const modes[] = {"precise", "fast", "exact", "fast8", NULL};
 
 static const struct choice choices[] = {
     {"shade", offsetof(struct etch_scene_state, shade), shades},

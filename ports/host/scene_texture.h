@@ -25,9 +25,9 @@ struct etch_scene_texture {
 
 /* What a triangle is drawn with. */
 struct etch_scene_sampling {
-    struct etch_sampler sampler; /* of the whole texture; its wraps are set for each triangle */
+    const struct etch_image *image;   /* the whole texture */
     const struct etch_mipmap *mipmap; /* NULL: off */
-    uint8_t wrap_u, wrap_v;           /* as in struct etch_scene_state */
+    uint8_t filter, wrap_u, wrap_v;   /* as in struct etch_scene_state */
 };
 
 /* Describes the latest texture for the state as it stands: filter, wraps, mipmap. False, with an
@@ -40,6 +40,11 @@ bool etch_scene_take_sampler(struct etch_scene_reader *reader,
 void etch_scene_sample_triangle(const struct etch_scene_sampling *sampling,
                                 struct etch_sampler *sampler, struct etch_texture_vertex out[3],
                                 const struct etch_texture_vertex *const v[3]);
+
+/* The names of the functions that a sampler of the whole texture uses, for --needs; NULL for parts
+ * that it does not have. */
+#define ETCH_SCENE_SAMPLING_PARTS 6
+const char *etch_scene_sampling_name(const struct etch_scene_sampling *sampling, int part);
 
 /* True if the fused kernels of fragment/texture.h can draw the latest texture, repeated and nearest,
  * as far as colours go: not a palette, and of a size that they take. */

@@ -88,6 +88,8 @@ along() { # FORMULA of u by p(x)
          BEGIN { for (x = 0; x < 16; x++) printf \"%02x00\", int($1) % 16 }"
 }
 draws 'blocks of 16' "$tex$ramp\nstate mode fast\n$long\n" "$(along 'p(0) + x * (p(16) - p(0)) / 16')"
+draws 'blocks of 8' "$tex$ramp\nstate mode fast8\n$long\n" \
+    "$(along 'x < 8 ? p(0) + x * (p(8) - p(0)) / 8 : p(8) + (x - 8) * (p(16) - p(8)) / 8')"
 draws 'blocks of 16, precise' "$tex$ramp\n$long\n" "$(along 'p(x)')"
 clip="-1 -5 0 1 $t 0 0  -1 5 0 1 $t 0 0  4 0 0 4 $t 16 0"
 draws 'a ctri' "$tex$ramp\nctri $clip\n" "$(texel 'u(c)')"
