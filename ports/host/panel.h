@@ -11,7 +11,8 @@
  * a pixel, a window outside the memory or upside down, more pixels than the window holds, pixels
  * in a format that the controller does not take, commands too soon after reset or waking up, and
  * set-up commands that are locked. The first error stays; nothing after it is believed.
- */
+ * Not simulated, and so without effect: scrolling, partial and idle mode, gamma and voltages, and
+ * the offset of lines (D3 of SSD1306, A2 of SSD1351). */
 #ifndef ETCH_HOST_PANEL_H
 #define ETCH_HOST_PANEL_H
 
@@ -32,10 +33,10 @@ struct etch_panel_type {
     enum etch_panel_family family;
     int16_t width, height;               /* glass, upright */
     int16_t memory_width, memory_height; /* pixels */
-    int16_t column, row;                 /* least memory column and row that it shows; SSD0323: least
+    int16_t column, row;            /* least memory column and row that it shows; SSD0323: least
                                             line of the controller that is on the glass */
-    bool flips_columns, flips_rows;      /* memory column 0 is at its right; row 0 at its bottom */
-    bool bgr, inverts;                   /* filters blue first; a 0 is white */
+    bool flips_columns, flips_rows; /* memory column 0 is at its right; row 0 at its bottom */
+    bool bgr, inverts;              /* filters blue first; a 0 is white */
     bool only_rgb666;
 };
 
@@ -60,8 +61,9 @@ struct etch_panel {
     bool selected, in_reset, asleep, on, inverted, all_off, pumped, unlocked;
     bool pulses;                /* the tearing-effect line is on */
     uint64_t ready_ns, wake_ns; /* before these no command, no waking up */
-    uint8_t orient, mode, mux, format, brightness, offset;
-    int command; /* whose parameters arrive; -1: none yet */
+    uint8_t orient, mode, mux, format, brightness;
+    uint8_t offset, start; /* of lines, SSD0323; memory row of the first line, SSD1351 and 1306 */
+    int command;           /* whose parameters arrive; -1: none yet */
     uint8_t parameter[ETCH_PANEL_PARAMETERS];
     int count, wanted; /* parameters that came, and must come; wanted < 0: any number */
     bool writes;       /* data are pixels */

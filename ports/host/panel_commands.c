@@ -46,6 +46,10 @@ int etch_panel_parameters(const struct etch_panel *panel, uint8_t command)
     if (panel->type->family == ETCH_PANEL_DCS && command > 0x5F) {
         return -1; /* the makers' own */
     }
+    if (panel->type->family == ETCH_PANEL_SSD1306 &&
+        (command < 0x20 || (command >= 0x40 && command < 0x80) || (command & 0xF8) == 0xB0)) {
+        return 0; /* a number is part of the command */
+    }
     if (c->code == command) {
         return c->count;
     }
@@ -65,7 +69,7 @@ void etch_panel_initial(struct etch_panel *p)
     p->mode = 2; /* SSD1306: by pages; bit 3 is the direction of the lines */
     p->mux = (uint8_t)(t->memory_height < 256 ? t->memory_height - 1 : 255);
     p->format = 6;
-    p->brightness = p->offset = 0;
+    p->brightness = p->offset = p->start = 0;
     p->command = -1;
     p->count = p->wanted = p->parts = 0;
     p->writes = p->has_window = false;
@@ -141,9 +145,38 @@ static void execute_ssd1351(struct etch_panel *p)
     case 0xA7: p->all_off = false, p->inverted = p->command == 0xA7; break;
     case 0xAE:
     case 0xAF: p->on = p->command == 0xAF, p->asleep = !p->on; break;
+    case 0xA1: p->start = v[0] & 0x7F; break;
+    case 0xC7:
+        if (v[0] > 0x0F) {
+            etch_panel_refuse(p, "contrast %02X has more than 4 bits", (unsigned)v[0]);
+        }
+        p->brightness = v[0];
+        break;
     case 0xCA: p->mux = v[0]; break;
     case 0xFD: p->unlocked = v[0] == 0xB1 || (p->unlocked && v[0] == 0x12); break;
     default: break;
+    }
+}
+
+/* Commands that hold a number: the first line, and a page and column for addressing by pages. */
+static void execute_number(struct etch_panel *p)
+{
+    const int code = p->command;
+
+    if (code >= 0x40 && code < 0x80) {
+        p->start = (uint8_t)(code & 0x3F);
+        return;
+    }
+    if ((p->mode & 3) != 2) {
+        etch_panel_refuse(p, "command %02X is for addressing by pages", (unsigned)code);
+    }
+    if (code < 0x10) {
+        p->x = (p->x & 0x70) | code;
+    } else if (code < 0x20) {
+        p->x = (p->x & 0x0F) | (code & 0x07) << 4;
+    } else {
+        p->y = code & 7;
+        p->writes = p->has_window = true;
     }
 }
 
@@ -151,6 +184,11 @@ static void execute_ssd1306(struct etch_panel *p)
 {
     const uint8_t *v = p->parameter;
 
+    if (p->command < 0x20 || (p->command >= 0x40 && p->command < 0x80) ||
+        (p->command & 0xF8) == 0xB0) {
+        execute_number(p);
+        return;
+    }
     switch (p->command) {
     case 0x20: p->mode = (uint8_t)((p->mode & 0x08) | (v[0] & 3)); break;
     case 0x21: p->x0 = v[0], p->x1 = v[1], etch_panel_range(p, true); break;

@@ -55,8 +55,9 @@ static int memory_row(const struct etch_panel *p, int y)
     const int last = p->mux;
 
     switch (t->family) {
-    case ETCH_PANEL_SSD1351: return (p->orient & 0x10) != 0 ? line : last - line;
-    case ETCH_PANEL_SSD1306: return (p->mode & 0x08) != 0 ? last - line : line;
+    case ETCH_PANEL_SSD1351:
+        return (((p->orient & 0x10) != 0 ? line : last - line) + p->start) % 128;
+    case ETCH_PANEL_SSD1306: return (((p->mode & 0x08) != 0 ? last - line : line) + p->start) % 64;
     case ETCH_PANEL_SSD0323: return ssd0323_row(p, line);
     default: return t->row + line;
     }

@@ -37,6 +37,9 @@ static void begin_window(struct etch_panel *p)
     const bool inside = p->x >= p->x0 && p->x <= p->x1 && p->y >= p->y0 && p->y <= p->y1;
     int across, down;
 
+    if (p->type->family == ETCH_PANEL_SSD1306 && (p->mode & 3) > 1) {
+        etch_panel_refuse(p, "a window while addressing by pages");
+    }
     get_extent(p, &across, &down);
     if (width < 1 || height < 1) {
         etch_panel_refuse(p, "window %d..%d x %d..%d is upside down", p->x0, p->x1, p->y0, p->y1);
@@ -149,13 +152,14 @@ static void write_mono(struct etch_panel *p, uint8_t byte)
 {
     const int column = (p->orient & 1) != 0 ? 127 - p->x : p->x;
 
-    if ((p->mode & 3) > 1) {
-        etch_panel_refuse(p, "a window while addressing by pages");
-    }
     for (int i = 0; i < 8; i++) {
         put(p, column, p->y * 8 + i, (byte >> i & 1) != 0 ? 0xFFFFFF : 0);
     }
-    advance(p);
+    if ((p->mode & 3) == 2) { /* by pages: round and round in one */
+        p->x = (p->x + 1) & 0x7F;
+    } else {
+        advance(p);
+    }
 }
 
 static void write_gray(struct etch_panel *p, uint8_t byte)
@@ -171,7 +175,9 @@ static void write_gray(struct etch_panel *p, uint8_t byte)
 
 void etch_panel_write(struct etch_panel *p, uint8_t byte)
 {
-    if (p->room == 0) {
+    const bool pages = p->type->family == ETCH_PANEL_SSD1306 && (p->mode & 3) == 2;
+
+    if (p->room == 0 && !pages) {
         etch_panel_refuse(p, "more pixels than the window %d..%d x %d..%d holds", p->x0, p->x1,
                           p->y0, p->y1);
     } else if (p->type->family == ETCH_PANEL_SSD1306) {

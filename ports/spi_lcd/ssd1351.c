@@ -43,6 +43,8 @@ static const struct etch_lcd_controller ssd1351 = {
     .on = 0xAF,
     .straight = 0xA6,
     .inverted = 0xA7,
+    .brightness = 0xC7,
+    .brightness_shift = 4, /* 16ths of the colours' currents */
     .turn = etch_lcd_orient,
 };
 

@@ -73,6 +73,7 @@ static void legal_sequences_pass(void)
     expect("ili9341", "R<:3A 66 :36 20 :2A 00 00 01 3F :2B 00 00 00 EF :2C 11 22 33>", "");
     expect("ssd1351", "R<:FD B1 :A2 00 :A0 74 :15 00 7F :75 00 7F :5C 01 02>", "");
     expect("ssd1306", "R<:20:00 :21:00:7F :22:00:07 FF FF>", "");
+    expect("ssd1306", "R<:B7 :05 :12 FF FF>", "");
     expect("ssd0323", "R<:15:00:3F :75:00:4F 12 34>", "");
     expect("gc9a01", "R<:FE :EF :EB 14 :66 01 02 03 04 05 06 07 08 09 0A>", "");
 }
@@ -84,8 +85,31 @@ static void bad_sequences_are_refused(void)
     expect("ili9341", "R< <", "selected twice");
     expect("ili9341", "<:29>", "during reset");
     expect("ssd1306", "R<:20:00 FF>", "pixels before a window");
-    expect("ssd1306", "R<:21:00:7F :22:00 FF>", "22 has 2 parameters and got 1");
+    expect("ssd1306", "R<:20:00 :21:00:7F :22:00 FF>", "22 has 2 parameters and got 1");
     expect("ssd1306", "R<:21:00:7F :22:00:07 FF>", "addressing by pages");
+    expect("ssd1306", "R<:20:00 :B3", "B3 is for addressing by pages");
+}
+
+/* A driver that addresses by pages, as many for this controller do: column 0x25 of page 7, then
+ * round to its first column; with the first line moved to 8 that page is two pages up. */
+static void pages_are_addressed(void)
+{
+    if (!CHECK(etch_panel_open(&panel, etch_panel_find("ssd1306"))))
+        return;
+    play("R<:8D:14 :A1 :C8 :AF :B7 :05 :12");
+    for (int i = 0; i < 0x80 - 0x25 + 1; i++)
+        play(i == 0 ? "81" : "00");
+    play(">");
+    CHECK_EQ(etch_panel_glass(&panel, 0x25, 56), 0xFFFFFF);
+    CHECK_EQ(etch_panel_glass(&panel, 0x25, 57), 0);
+    CHECK_EQ(etch_panel_glass(&panel, 0x25, 63), 0xFFFFFF);
+    CHECK_EQ(etch_panel_glass(&panel, 0x26, 56), 0);
+    CHECK_EQ(etch_panel_glass(&panel, 0, 57), 0);
+    CHECK(panel.x == 1 && panel.y == 7);
+    play("<:48>");
+    CHECK_EQ(etch_panel_glass(&panel, 0x25, 48), 0xFFFFFF);
+    CHECK(panel.error[0] == 0);
+    etch_panel_close(&panel);
 }
 
 static void wrong_counts_are_refused(void)
@@ -119,6 +143,7 @@ static void bad_formats_are_refused(void)
     expect("ili9341", "R<:3A 53", "no pixel format 53");
     expect("ssd1351", "R<:A0 34 :15 00 00 :75 00 00 :5C 01 02", "16 bits");
     expect("ssd0323", "R<:81:80", "7 bits");
+    expect("ssd1351", "R<:C7 10", "4 bits");
 }
 
 static void haste_is_refused(void)
@@ -179,6 +204,7 @@ void suite_panel_refuse(void)
 {
     RUN(legal_sequences_pass);
     RUN(bad_sequences_are_refused);
+    RUN(pages_are_addressed);
     RUN(wrong_counts_are_refused);
     RUN(bad_windows_are_refused);
     RUN(bad_formats_are_refused);
