@@ -278,10 +278,77 @@ static void meshes_stay_watertight(void)
     test_print_count("", n, " viewports covered by four clipped triangles, each pixel once");
 }
 
+/* What is left of a plane z / w = (a x + b y + 1024 c) / 2^14 between near and far, x and y in
+ * 1/1024 of w; the viewport is 48 x 36. +1: pixel (px, py) must be drawn, -1: it must not, 0: it is
+ * within 1/16 px of a cut. All times 48 * 36. */
+static int expected(int32_t a, int32_t b, int32_t c, int32_t px, int32_t py)
+{
+    const int64_t x = (2 * px + 1 - 48) * 1024, y = (36 - 2 * py - 1) * 1024;
+    const int64_t value = a * x * 36 + b * y * 48 + INT64_C(1024) * 1728 * c;
+    const int64_t limit = INT64_C(16) * 1024 * 1728;
+    const int64_t margin = 128 * ((a < 0 ? -a : a) * 36 + (b < 0 ? -b : b) * 48);
+    const int64_t size = value < 0 ? -value : value;
+
+    return size + margin < limit ? 1 : size - margin > limit ? -1 : 0;
+}
+
+/* Four triangles in one plane round the viewport, cut by near and far, with any w: each pixel of
+ * what is left is drawn once, by both clippers, and the cuts are where they must be. */
+static void near_and_far_cut_where_they_must(void)
+{
+    const struct etch_viewport viewport = {{0, 0, 48, 36}, 5, 5};
+    uint32_t seed = 5;
+    int32_t n, x, y, cut = 0;
+
+    test_canvas_open(&one, viewport.rect);
+    for (n = 0; n < TEST_COUNT(3000) && !test_failed(); n++) {
+        const int32_t a = test_range(&seed, -24, 24), b = test_range(&seed, -24, 24);
+        const int32_t c = test_range(&seed, -20, 20);
+        struct etch_clip_vertex v[5];
+        int i;
+
+        test_canvas_wipe(&one);
+        for (i = 0; i < 5; i++) {
+            const int32_t lo = i < 4 ? 1024 : -900, hi = i < 4 ? 3000 : 900;
+            const int32_t right = i == 1 || i == 2 ? -1 : 1, up = i == 2 || i == 3 ? -1 : 1;
+            const int32_t vx = right * test_range(&seed, lo, hi);
+            const int32_t vy = up * test_range(&seed, lo, hi);
+            const int32_t unit = test_range(&seed, 1, 40); /* w = 2^14 unit */
+
+            random_vertex(&v[i], 3, &seed);
+            v[i].w = unit * 16384;
+            v[i].x = unit * 16 * vx;
+            v[i].y = unit * 16 * vy;
+            v[i].z = unit * (a * vx + b * vy + 1024 * c);
+        }
+        for (i = 0; i < 4; i++) {
+            const struct etch_clip_vertex t[3] = {v[i], v[(i + 1) % 4], v[4]};
+
+            draw(&one, &viewport, t,
+                 n % 2 == 0 ? etch_assemble_triangle : etch_assemble_triangle_volume);
+        }
+        for (y = 0; y < 36; y++) {
+            for (x = 0; x < 48; x++) {
+                const int must = expected(a, b, c, x, y);
+
+                cut += must <= 0;
+                if (!CHECK(times(&one, x, y) <= 1) ||
+                    !CHECK(must == 0 || times(&one, x, y) == (must > 0))) {
+                    test_note("px", x);
+                    test_note("py", y);
+                    note_triangle(v);
+                }
+            }
+        }
+    }
+    test_print_count("", cut, " pixels cut off by near and far, none off by more than 1/16 px");
+}
+
 void suite_clip_volume(void)
 {
     RUN(corners_are_exact);
     RUN(pixels_are_the_scissors);
     RUN(and_across_near_and_far);
     RUN(meshes_stay_watertight);
+    RUN(near_and_far_cut_where_they_must);
 }
