@@ -79,6 +79,7 @@
 #include "fragment/phong.h"
 #include "fragment/sampler.h"
 #include "fragment/source.h"
+#include "fragment/source_blocks.h"
 #include "fragment/stage.h"
 #include "fragment/stencil.h"
 #include "fragment/template.h"

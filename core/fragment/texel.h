@@ -6,10 +6,7 @@
  *
  *      ETCH_FILTER_NEAREST(my_filter, etch_address_clamp, etch_texel_index4, etch_texel_alpha4)
  *
- * Instructions a texel on Cortex-M0+, sides a power of two, repeated, RGB565, replace:
- *                                      nearest     linear
- *      etch_filter_.., any parts            63        265
- *      fused                                30        157
+ * What it gains stands in sampler.h.
  */
 #ifndef ETCH_FRAGMENT_TEXEL_H
 #define ETCH_FRAGMENT_TEXEL_H
