@@ -118,10 +118,11 @@ const char *etch_scene_path(struct etch_scene_reader *reader, const char **name)
 static const struct etch_scene_statement *find_statement(struct etch_word word)
 {
     static const struct etch_scene_statement *const tables[] = {
-        etch_scene_frame_statements,    etch_scene_shape_statements, etch_scene_state_statements,
-        etch_scene_triangle_statements, etch_scene_view_statements,  etch_scene_mesh_statements,
-        etch_scene_line_statements,     etch_scene_line_clip_statements,
-        etch_scene_line_2d_statements,
+        etch_scene_frame_statements,   etch_scene_shape_statements,
+        etch_scene_state_statements,   etch_scene_triangle_statements,
+        etch_scene_view_statements,    etch_scene_mesh_statements,
+        etch_scene_line_statements,    etch_scene_line_clip_statements,
+        etch_scene_line_2d_statements, etch_scene_pass_statements,
     };
 
     for (size_t i = 0; i < sizeof tables / sizeof tables[0]; i++) {
@@ -201,7 +202,9 @@ bool etch_scene_open_in(struct etch_scene *scene, const char *path, int format,
     free(reader);
     if (ok) {
         scene->format = format >= 0 ? (uint8_t)format : scene->format;
-        etch_scene_textures_finish(scene);
+        if (scene->passes == NULL) { /* passes draw in rgb565 */
+            etch_scene_textures_finish(scene);
+        }
     } else {
         etch_scene_close(scene);
     }
@@ -219,6 +222,7 @@ void etch_scene_close(struct etch_scene *scene)
         free(scene->file[i]);
     }
     free(scene->file);
+    etch_scene_passes_free(scene->passes);
     for (size_t i = 0; i < scene->data_count; i++) {
         free(scene->data[i]);
     }

@@ -11,6 +11,7 @@
 struct etch_scene_step;
 struct etch_scene_mesh;
 struct etch_scene_texture;
+struct etch_scene_passes;
 
 struct etch_scene {
     int16_t width, height;
@@ -32,6 +33,7 @@ struct etch_scene {
     size_t data_count, data_capacity;
     struct etch_scene_texture **texture;
     size_t texture_count, texture_capacity;
+    struct etch_scene_passes *passes; /* over the whole frame, or NULL */
 };
 
 /* Reads and checks a scene. False, with the reason in *error, if anything is wrong; there is

@@ -66,6 +66,10 @@ void etch_scene_paint_texture(struct etch_scene_run *run,
                                                                         : pipeline->texture;
     const bool depth = pipeline->ztest != 0;
 
+    if (run->pass != NULL) {
+        etch_scene_pass_texture(run, pipeline, v, texture);
+        return;
+    }
     if (pipeline->staged != NULL) {
         const struct etch_vertex *const corners[3] = {&v[0]->at, &v[1]->at, &v[2]->at};
 
@@ -115,6 +119,17 @@ static void take_staged(struct etch_sink *sink, const struct etch_vertex *const 
     etch_scene_staged_draw(staged->run, staged->pipeline->staged, v);
 }
 
+/* Places before. */
+static void pass_triangle(struct etch_sink *sink, const struct etch_vertex *const v[3])
+{
+    struct etch_scene_sink *placing = (struct etch_scene_sink *)(void *)sink;
+
+    if (placing->run->stats != NULL) {
+        placing->run->stats->triangles++;
+    }
+    etch_scene_pass_triangle(placing->run, placing->pipeline, v);
+}
+
 void etch_scene_sink_init(struct etch_scene_sink *sink, struct etch_scene_run *run,
                           const struct etch_scene_pipeline *pipeline)
 {
@@ -127,6 +142,9 @@ void etch_scene_sink_init(struct etch_scene_sink *sink, struct etch_scene_run *r
     }
     if (pipeline->staged != NULL) {
         sink->raster.sink.triangle = take_staged;
+    }
+    if (run->pass != NULL) {
+        sink->raster.sink.triangle = pass_triangle;
     }
 }
 
@@ -141,25 +159,41 @@ static bool make_scratch(struct etch_scene_run *run)
     return run->stats == NULL || run->scratch != NULL;
 }
 
+bool etch_scene_run_open(struct etch_scene_run *run)
+{
+    if (!make_scratch(run)) {
+        return false;
+    }
+    etch_surface_clear(&run->surface, 0);
+    if (run->surface.depth != NULL) {
+        etch_depth_clear(&run->surface, UINT16_MAX);
+    }
+    if (run->surface.stencil != NULL) {
+        etch_stencil_clear(&run->surface, 0);
+    }
+    return true;
+}
+
+void etch_scene_run_close(struct etch_scene_run *run)
+{
+    free(run->scratch);
+}
+
 bool etch_scene_draw(const struct etch_scene *scene, struct etch_surface *surface,
                      struct etch_scene_stats *stats)
 {
     struct etch_scene_run run = {
         .surface = *surface, .clip = surface->clip, .scene = scene, .stats = stats};
 
-    if (!make_scratch(&run)) {
+    if (scene->passes != NULL) {
+        return etch_scene_passes_draw(scene, surface, stats);
+    }
+    if (!etch_scene_run_open(&run)) {
         return false;
-    }
-    etch_surface_clear(&run.surface, 0);
-    if (run.surface.depth != NULL) {
-        etch_depth_clear(&run.surface, UINT16_MAX);
-    }
-    if (run.surface.stencil != NULL) {
-        etch_stencil_clear(&run.surface, 0);
     }
     for (size_t i = 0; i < scene->count; i++) {
         scene->step[i].statement->draw(&run, &scene->step[i]);
     }
-    free(run.scratch);
+    etch_scene_run_close(&run);
     return true;
 }

@@ -12,7 +12,8 @@
  *      scene_lines.c     cline wideline cpoint
  *      scene_lines_2d.c  ddaline halfspace gradient
  *      scene_lines_clip.c  clipline clippolygon cvline cvtri
- *      scene_mesh.c      mesh */
+ *      scene_mesh.c      mesh
+ *      scene_passes.c    antialias motionblur motion filter exchange */
 #ifndef ETCH_HOST_SCENE_STEPS_H
 #define ETCH_HOST_SCENE_STEPS_H
 
@@ -23,6 +24,7 @@
 #include "scene_texture.h"
 
 struct etch_scene_step;
+struct etch_scene_pass;
 
 /* A scene while it is drawn on a surface. */
 struct etch_scene_run {
@@ -32,7 +34,9 @@ struct etch_scene_run {
     struct etch_scene_stats *stats;                 /* NULL: nothing is counted */
     etch_kernel *kernel;                            /* what the counting kernel calls, or NULL */
     const struct etch_perspective_kernels *texture; /* what those of textures call */
-    uint16_t *scratch; /* a colour plane, all zero, to count outlines on */
+    uint16_t *scratch;                  /* a colour plane, all zero, to count outlines on */
+    const struct etch_scene_pass *pass; /* of several drawings, or NULL; see scene_passes.h */
+    int32_t motion_x_q8, motion_y_q8;   /* of what follows, in all moments of motionblur */
 };
 
 typedef void etch_scene_draw_function(struct etch_scene_run *run,
@@ -118,6 +122,7 @@ extern const struct etch_scene_statement etch_scene_state_statements[];
 extern const struct etch_scene_statement etch_scene_triangle_statements[];
 extern const struct etch_scene_statement etch_scene_view_statements[];
 extern const struct etch_scene_statement etch_scene_mesh_statements[];
+extern const struct etch_scene_statement etch_scene_pass_statements[];
 extern const struct etch_scene_statement etch_scene_line_statements[];
 extern const struct etch_scene_statement etch_scene_line_clip_statements[];
 extern const struct etch_scene_statement etch_scene_line_2d_statements[];
@@ -195,6 +200,23 @@ struct etch_scene_sink {
 };
 void etch_scene_sink_init(struct etch_scene_sink *sink, struct etch_scene_run *run,
                           const struct etch_scene_pipeline *pipeline);
+
+/* Clears the planes of a run and makes its scratch; false without memory. */
+bool etch_scene_run_open(struct etch_scene_run *run);
+void etch_scene_run_close(struct etch_scene_run *run);
+
+/* Draws the frame by the passes of scene->passes; see scene_passes.h. */
+bool etch_scene_passes_draw(const struct etch_scene *scene, struct etch_surface *surface,
+                            struct etch_scene_stats *stats);
+void etch_scene_passes_free(struct etch_scene_passes *passes);
+
+/* Paint one triangle as run->pass, which is not NULL, places it. */
+void etch_scene_pass_triangle(struct etch_scene_run *run,
+                              const struct etch_scene_pipeline *pipeline,
+                              const struct etch_vertex *const v[3]);
+void etch_scene_pass_texture(struct etch_scene_run *run, const struct etch_scene_pipeline *pipeline,
+                             const struct etch_texture_vertex *const v[3],
+                             const struct etch_texture *texture);
 
 /* Counts runs and pixels into the run's stats, then calls run->kernel unless it is NULL. */
 etch_kernel etch_scene_count;

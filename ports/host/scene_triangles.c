@@ -60,6 +60,8 @@ static void paint(struct etch_scene_run *run, const struct etch_scene_pipeline *
     }
     if (pipeline->texture != NULL || pipeline->staged != NULL) {
         etch_scene_paint_texture(run, pipeline, v, texture);
+    } else if (run->pass != NULL) {
+        etch_scene_pass_triangle(run, pipeline, corners);
     } else {
         etch_scene_painter(run, pipeline)(&run->surface, corners, etch_scene_kernel(run, pipeline));
     }
