@@ -118,11 +118,13 @@ const char *etch_scene_path(struct etch_scene_reader *reader, const char **name)
 static const struct etch_scene_statement *find_statement(struct etch_word word)
 {
     static const struct etch_scene_statement *const tables[] = {
-        etch_scene_frame_statements,   etch_scene_shape_statements,
-        etch_scene_state_statements,   etch_scene_triangle_statements,
-        etch_scene_view_statements,    etch_scene_mesh_statements,
-        etch_scene_line_statements,    etch_scene_line_clip_statements,
-        etch_scene_line_2d_statements, etch_scene_pass_statements,
+        etch_scene_frame_statements,    etch_scene_shape_statements,
+        etch_scene_state_statements,    etch_scene_triangle_statements,
+        etch_scene_view_statements,     etch_scene_mesh_statements,
+        etch_scene_line_statements,     etch_scene_line_clip_statements,
+        etch_scene_line_2d_statements,  etch_scene_pass_statements,
+        etch_scene_polygon_statements,  etch_scene_path_statements,
+        etch_scene_implicit_statements, etch_scene_sorted_statements,
     };
 
     for (size_t i = 0; i < sizeof tables / sizeof tables[0]; i++) {
@@ -195,6 +197,9 @@ bool etch_scene_open_in(struct etch_scene *scene, const char *path, int format,
         ok = read_line(reader);
     }
     ok = ok && error->text[0] == '\0';
+    if (ok && reader->sorted != NULL) {
+        ok = etch_error_set(error, path, 0, "\"sorted\" without \"end\"");
+    }
     if (ok && scene->width == 0) {
         ok = etch_error_set(error, path, 0, "no statement: the first must be \"scene W H\"");
     }

@@ -171,7 +171,7 @@ static void draw_mesh(struct etch_scene_run *run, const struct etch_scene_step *
     struct etch_scene_sink sink;
 
     etch_scene_sink_init(&sink, run, step->pipeline);
-    assembly.sink = &sink.raster.sink;
+    assembly.sink = run->collect != NULL ? run->collect : &sink.raster.sink;
     etch_mesh_assemble(&mesh->stage.stage, &assembly, mesh->vertex);
 }
 

@@ -13,6 +13,9 @@
  *      scene_lines_2d.c  ddaline halfspace gradient
  *      scene_lines_clip.c  clipline clippolygon cvline cvtri
  *      scene_mesh.c      mesh
+ *      scene_polygons.c  polygon fillpolygon;  scene_paths.c  fillpath
+ *      scene_implicit.c  bezier quadric implicit
+ *      scene_sorted.c    sorted end
  *      scene_passes.c    antialias motionblur motion filter exchange */
 #ifndef ETCH_HOST_SCENE_STEPS_H
 #define ETCH_HOST_SCENE_STEPS_H
@@ -34,7 +37,8 @@ struct etch_scene_run {
     struct etch_scene_stats *stats;                 /* NULL: nothing is counted */
     etch_kernel *kernel;                            /* what the counting kernel calls, or NULL */
     const struct etch_perspective_kernels *texture; /* what those of textures call */
-    uint16_t *scratch;                  /* a colour plane, all zero, to count outlines on */
+    uint16_t *scratch;         /* a colour plane, all zero, to count outlines on */
+    struct etch_sink *collect; /* in a sorted block what triangles are given to, else NULL */
     const struct etch_scene_pass *pass; /* of several drawings, or NULL; see scene_passes.h */
     int32_t motion_x_q8, motion_y_q8;   /* of what follows, in all moments of motionblur */
 };
@@ -92,6 +96,7 @@ struct etch_scene_reader {
     struct etch_scene_state state;
     struct etch_scene_view view;
     struct etch_scene_texture *texture; /* the latest, or NULL */
+    struct etch_scene_sorted *sorted;   /* the block that is open, or NULL */
     struct etch_scene_staged *staged;   /* the latest pipeline of stages, or NULL */
 };
 
@@ -122,6 +127,10 @@ extern const struct etch_scene_statement etch_scene_state_statements[];
 extern const struct etch_scene_statement etch_scene_triangle_statements[];
 extern const struct etch_scene_statement etch_scene_view_statements[];
 extern const struct etch_scene_statement etch_scene_mesh_statements[];
+extern const struct etch_scene_statement etch_scene_polygon_statements[];
+extern const struct etch_scene_statement etch_scene_path_statements[];
+extern const struct etch_scene_statement etch_scene_implicit_statements[];
+extern const struct etch_scene_statement etch_scene_sorted_statements[];
 extern const struct etch_scene_statement etch_scene_pass_statements[];
 extern const struct etch_scene_statement etch_scene_line_statements[];
 extern const struct etch_scene_statement etch_scene_line_clip_statements[];

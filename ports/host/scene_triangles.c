@@ -55,6 +55,10 @@ static void paint(struct etch_scene_run *run, const struct etch_scene_pipeline *
 {
     const struct etch_vertex *const corners[3] = {&v[0]->at, &v[1]->at, &v[2]->at};
 
+    if (run->collect != NULL) {
+        run->collect->triangle(run->collect, corners);
+        return;
+    }
     if (run->stats != NULL) {
         run->stats->triangles++;
     }
