@@ -1,5 +1,5 @@
-/* frame/accumulation_add.c: adds a frame to a sum. Called by applications, once for each drawing of
- * a strip. See accumulation.h. */
+/* frame/accumulation_add.c: adds a frame to a sum. Called by applications, once for each drawing
+ * of a strip. See accumulation.h. */
 #include "accumulation_rows.h"
 
 static void add(uint16_t *sums, const uint16_t *pixel, uint32_t weight)

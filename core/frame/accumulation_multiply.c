@@ -1,5 +1,5 @@
-/* frame/accumulation_multiply.c: fades a sum of frames. Called by applications whose sums go on from
- * frame to frame. See accumulation.h. */
+/* frame/accumulation_multiply.c: fades a sum of frames. Called by applications whose sums go on
+ * from frame to frame. See accumulation.h. */
 #include "accumulation_rows.h"
 
 /* Below 65535^2 + 2^15 < 2^32. */

@@ -1,5 +1,5 @@
-/* frame/accumulation_return_swapped.c: sums of frames to pixels in the order of most panels. Called
- * by applications, once a strip. See accumulation.h. */
+/* frame/accumulation_return_swapped.c: sums of frames to pixels in the order of most panels.
+ * Called by applications, once a strip. See accumulation.h. */
 #include "accumulation_divide.h"
 
 void etch_accumulation_return_swapped(const struct etch_accumulation *a,

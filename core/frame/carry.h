@@ -1,8 +1,8 @@
 /* frame/carry.h: rows that a pass over neighbouring pixels keeps from strip to strip.
  *
- * A filter of radius 1 needs, for the rows of a strip, one row above and one below. What it reads is
- * drawn on a source surface that is ahead of the display's strips by that row; the rows that the
- * next strip will want again are kept. Nothing is drawn twice:
+ * A filter of radius 1 needs, for the rows of a strip, one row above and one below. What it reads
+ * is drawn on a source surface that is ahead of the display's strips by that row; the rows that
+ * the next strip will want again are kept. Nothing is drawn twice:
  *
  *      display strips    0 1 2 3 | 4 5 6 7 | 8 9
  *      source strips     0 1 2 3 4 | 5 6 7 8 | 9        radius 1

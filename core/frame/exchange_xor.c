@@ -1,4 +1,5 @@
-/* frame/exchange_xor.c: one image on another, bit by bit. Called by applications. See exchange.h. */
+/* frame/exchange_xor.c: one image on another, bit by bit. Called by applications. See
+ * exchange.h. */
 #include "exchange_rows.h"
 
 static void combine(uint16_t *to, uint16_t *from)

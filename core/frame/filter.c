@@ -1,5 +1,4 @@
-/* frame/filter.c: any 3 x 3 kernel. Called by applications, once a strip. See
- * filter.h. */
+/* frame/filter.c: any 3 x 3 kernel. Called by applications, once a strip. See filter.h. */
 #include "filter_kernel.h"
 
 void etch_filter_draw(struct etch_carry *c, const struct etch_surface *source,

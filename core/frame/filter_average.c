@@ -1,5 +1,5 @@
-/* frame/filter_average.c: the average of nine pixels. Called by applications, once a
- * strip. See filter.h. */
+/* frame/filter_average.c: the average of nine pixels. Called by applications, once a strip. See
+ * filter.h. */
 #include "filter_kernel.h"
 
 void etch_filter_average(struct etch_carry *c, const struct etch_surface *source,

@@ -4,7 +4,7 @@
 
 #include "filter_rows.h"
 
-/* ---- any kernel ---------------------------------------------------------------------------------- */
+/* ---- any kernel ------------------------------------------------------------------------- */
 
 struct filter_scale {
     const int8_t *weight;
@@ -36,6 +36,7 @@ ETCH_INLINE uint16_t filter_any(const struct filter_place *p, const void *data)
     const struct filter_scale *s = data;
     int32_t r = s->add, g = s->add_green, b = s->add;
 
+    ETCH_UNROLL(9)
     for (uint8_t i = 0; i < 9; i++) {
         const uint16_t color = p->row[i / 3][p->column[i % 3]];
         const int32_t w = s->weight[i];
@@ -48,7 +49,7 @@ ETCH_INLINE uint16_t filter_any(const struct filter_place *p, const void *data)
                       pixel_divide(b, s->divisor, 31));
 }
 
-/* ---- average ------------------------------------------------------------------------------------- */
+/* ---- average ---------------------------------------------------------------------------- */
 
 /* As supersample_rows.h: nine have no ties, v * 7282 >> 16 = v / 9. */
 ETCH_INLINE uint16_t filter_nine(const struct filter_place *p, const void *data)
@@ -56,14 +57,15 @@ ETCH_INLINE uint16_t filter_nine(const struct filter_place *p, const void *data)
     uint32_t sum = 4 * PIXEL_ONES;
 
     (void)data;
+    ETCH_UNROLL(3)
     for (uint8_t i = 0; i < 3; i++)
-        for (uint8_t k = 0; k < 3; k++)
-            sum += pixel_spread(p->row[i][p->column[k]]);
+        sum += pixel_spread(p->row[i][p->column[0]]) + pixel_spread(p->row[i][p->column[1]]) +
+               pixel_spread(p->row[i][p->column[2]]);
     return pixel_pack(pixel_red(sum) * 7282 >> 16, pixel_green(sum) * 7282 >> 16,
                       pixel_blue(sum) * 7282 >> 16);
 }
 
-/* ---- Sobel --------------------------------------------------------------------------------------- */
+/* ---- Sobel ------------------------------------------------------------------------------ */
 
 /* The sum 1 2 1 of three spread pixels: at most 4 * 63 in a channel. */
 ETCH_INLINE uint32_t filter_121(uint16_t a, uint16_t b, uint16_t c)

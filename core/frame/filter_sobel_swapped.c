@@ -1,5 +1,5 @@
-/* frame/filter_sobel_swapped.c: how much a picture changes at a pixel in the order of most panels. Called by applications,
- * once a strip. See filter.h. */
+/* frame/filter_sobel_swapped.c: how much a picture changes at a pixel in the order of most panels.
+ * Called by applications, once a strip. See filter.h. */
 #include "filter_kernel.h"
 
 void etch_filter_sobel_swapped(struct etch_carry *c, const struct etch_surface *source,

@@ -1,5 +1,5 @@
-/* frame/filter_swapped.c: any 3 x 3 kernel in the order of most panels. Called by applications, once a strip. See
- * filter.h. */
+/* frame/filter_swapped.c: any 3 x 3 kernel in the order of most panels. Called by applications,
+ * once a strip. See filter.h. */
 #include "filter_kernel.h"
 
 void etch_filter_draw_swapped(struct etch_carry *c, const struct etch_surface *source,

@@ -1,5 +1,5 @@
-/* frame/multisample_color.c: colour planes at the samples of a triangle and at its centre. Called by
- * the painters of samples. See multisample_setup.h. */
+/* frame/multisample_color.c: colour planes at the samples of a triangle and at its centre. Called
+ * by the painters of samples. See multisample_setup.h. */
 #include "../draw/setup.h"
 #include "multisample_setup.h"
 

@@ -1,5 +1,5 @@
-/* frame/multisample_flat.c: triangles in one colour, without depth, on four samples a pixel. Called by applications
- * and by the sink. See multisample.h. */
+/* frame/multisample_flat.c: triangles in one colour, without depth, on four samples a pixel.
+ * Called by applications and by the sink. See multisample.h. */
 #include "multisample.h"
 #include "multisample_rows.h"
 

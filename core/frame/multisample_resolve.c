@@ -1,5 +1,5 @@
-/* frame/multisample_resolve.c: four samples to pixels. Called by applications, once a
- * strip. See multisample.h. */
+/* frame/multisample_resolve.c: four samples to pixels. Called by applications, once a strip. See
+ * multisample.h. */
 #include "multisample.h"
 #include "multisample_average.h"
 

@@ -1,5 +1,5 @@
-/* frame/multisample_resolve_swapped.c: four samples to pixels in the order of most panels. Called by applications, once a
- * strip. See multisample.h. */
+/* frame/multisample_resolve_swapped.c: four samples to pixels in the order of most panels. Called
+ * by applications, once a strip. See multisample.h. */
 #include "multisample.h"
 #include "multisample_average.h"
 

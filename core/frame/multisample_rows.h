@@ -1,8 +1,8 @@
 /* frame/multisample_rows.h: the pixel loop of the painters of samples; no part of the API.
  *
  * As in fragment/template.h shader, depth test and kind of samples are constants of an inlined
- * function. `shared`: which two of the four samples a cell has depends on its column, and they go to
- * two surfaces (shared.h); else all four, to four. */
+ * function. `shared`: which two of the four samples a cell has depends on its column, and they go
+ * to two surfaces (shared.h); else all four, to four. */
 #ifndef ETCH_FRAME_MULTISAMPLE_ROWS_H
 #define ETCH_FRAME_MULTISAMPLE_ROWS_H
 
@@ -86,14 +86,61 @@ ETCH_INLINE void sample_fragment(const struct sample_work *w, int16_t x, int16_t
             w->surface[shared ? k & 1 : k].pixels[at] = color;
 }
 
-/* One row, from the first covered sample to the last. */
+/* Pixels x .. x1 - 1, of which all four samples are covered: colour and depths step. */
+ETCH_INLINE void sample_inner(const struct sample_work *w, int16_t x, int16_t x1, int16_t y,
+                              size_t at, const bool smooth, etch_depth_test *passes)
+{
+    const struct etch_paint *const centre = &w->paint[SAMPLE_CENTRE].paint;
+    struct etch_fragment f = {{w->color, 0, 0, 0}, x, y};
+    uint32_t z[ETCH_SAMPLES] = {0, 0, 0, 0};
+
+    if (smooth)
+        etch_gouraud_start(&f, centre);
+    for (uint8_t k = 0; passes != NULL && k < ETCH_SAMPLES; k++)
+        z[k] = etch_plane_at(&w->paint[k].z, x, y);
+    for (; x < x1; x++, at++) {
+        const uint16_t color = smooth ? etch_gouraud_color(&f, centre) : w->color;
+
+        ETCH_UNROLL(4)
+        for (uint8_t k = 0; k < ETCH_SAMPLES; k++) {
+            const struct etch_surface *s = &w->surface[k];
+
+            if (passes == NULL || passes((uint16_t)(z[k] >> 16), s->depth[at])) {
+                s->pixels[at] = color;
+                if (passes != NULL)
+                    s->depth[at] = (uint16_t)(z[k] >> 16);
+            }
+            if (passes != NULL)
+                z[k] = etch_wrap_add(z[k], w->paint[k].z.dx);
+        }
+        if (smooth)
+            etch_gouraud_step(&f, centre);
+    }
+}
+
+/* Pixels x .. x1 - 1, whatever is covered of them. */
+ETCH_INLINE void sample_border(const struct sample_work *w, const struct etch_run *const run[],
+                               int16_t x, int16_t x1, int16_t y, size_t at, const bool smooth,
+                               etch_depth_test *passes, const bool shared)
+{
+    for (; x < x1; x++, at++) {
+        const uint8_t covered = (uint8_t)(sample_covered(run, x) & sample_all(x, shared));
+
+        if (covered != 0)
+            sample_fragment(w, x, y, at, covered, smooth, passes, shared);
+    }
+}
+
+/* One row, from the first covered sample to the last, with the part between that is all covered. */
 ETCH_INLINE void sample_row(const struct sample_work *w, const struct etch_run *const run[],
                             int16_t y, const bool smooth, etch_depth_test *passes,
                             const bool shared)
 {
-    int16_t x0 = INT16_MAX, x1 = INT16_MIN;
+    int16_t x0 = INT16_MAX, x1 = INT16_MIN, in0 = INT16_MIN, in1 = INT16_MAX;
 
     for (uint8_t k = 0; k < ETCH_SAMPLES; k++) {
+        in0 = run[k]->x0 > in0 ? run[k]->x0 : in0;
+        in1 = run[k]->x1 < in1 ? run[k]->x1 : in1;
         if (run[k]->x0 == run[k]->x1)
             continue;
         x0 = run[k]->x0 < x0 ? run[k]->x0 : x0;
@@ -101,14 +148,15 @@ ETCH_INLINE void sample_row(const struct sample_work *w, const struct etch_run *
     }
     if (x0 >= x1)
         return;
-    size_t at = etch_surface_index(w->surface, x0, y);
+    const size_t at = etch_surface_index(w->surface, x0, y);
 
-    for (int16_t x = x0; x < x1; x++, at++) {
-        const uint8_t covered = (uint8_t)(sample_covered(run, x) & sample_all(x, shared));
-
-        if (covered != 0)
-            sample_fragment(w, x, y, at, covered, smooth, passes, shared);
+    if (shared || in0 >= in1) {
+        sample_border(w, run, x0, x1, y, at, smooth, passes, shared);
+        return;
     }
+    sample_border(w, run, x0, in0, y, at, smooth, passes, shared);
+    sample_inner(w, in0, in1, y, at + (size_t)(in0 - x0), smooth, passes);
+    sample_border(w, run, in1, x1, y, at + (size_t)(in1 - x0), smooth, passes, shared);
 }
 
 /* A whole triangle. `passes` NULL: no depth plane is read or written. */
@@ -143,7 +191,8 @@ ETCH_INLINE void sample_paint(const struct etch_surface *surface,
     }
 }
 
-/* The points of four samples and the centre; of two times two samples and halfway between. */
+/* The points of four samples and the centre; of two times two samples and halfway between: those
+ * of jitter.h and shared.h, as constants. */
 static const struct etch_offset_q8 sample_grid[5] = {
     {-96, -32}, {-32, 96}, {32, -96}, {96, 32}, {0, 0}};
 static const struct etch_offset_q8 sample_pairs[6] = {{-192, -96}, {-64, 32},   {-192, 96},

@@ -1,5 +1,5 @@
-/* frame/multisample_setup.c: moved triangles and their runs. Called by the painters of samples. See
- * multisample_setup.h. */
+/* frame/multisample_setup.c: moved triangles and their runs. Called by the painters of samples.
+ * See multisample_setup.h. */
 #include "multisample_setup.h"
 
 /* A kernel that keeps the runs instead of painting them. */

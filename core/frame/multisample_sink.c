@@ -1,5 +1,5 @@
-/* frame/multisample_sink.c: the sink that paints samples. Called by the vertex stage, once a visible
- * triangle. See multisample.h. */
+/* frame/multisample_sink.c: the sink that paints samples. Called by the vertex stage, once a
+ * visible triangle. See multisample.h. */
 #include "multisample.h"
 
 static void paint(struct etch_sink *sink, const struct etch_vertex *const v[3])

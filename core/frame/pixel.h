@@ -47,7 +47,7 @@ ETCH_INLINE uint16_t pixel_ordered(uint16_t color, const bool swapped)
     return swapped ? etch_rgb565_swap(color) : color;
 }
 
-/* ---- division by a number that is the same for all pixels, 1 .. 65535 -------------------------- */
+/* ---- division by a number that is the same for all pixels, 1 .. 65535 ---------------------- */
 
 struct pixel_divisor {
     uint32_t d, reciprocal; /* floor(2^22 / d) */

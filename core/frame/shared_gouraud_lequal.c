@@ -1,5 +1,5 @@
-/* frame/shared_gouraud_lequal.c: triangles in interpolated colours, with depth, on samples that neighbours share. Called by applications
- * and by the sink. See shared.h. */
+/* frame/shared_gouraud_lequal.c: triangles in interpolated colours, with depth, on samples that
+ * neighbours share. Called by applications and by the sink. See shared.h. */
 #include "shared.h"
 #include "multisample_rows.h"
 

@@ -1,5 +1,5 @@
-/* frame/shared_resolve.c: samples that neighbours share to pixels. Called by
- * applications, once a strip. See shared.h. */
+/* frame/shared_resolve.c: samples that neighbours share to pixels. Called by applications, once a
+ * strip. See shared.h. */
 #include "multisample_average.h"
 #include "shared.h"
 

@@ -1,5 +1,5 @@
-/* frame/shared_resolve_swapped.c: samples that neighbours share to pixels in the order of most panels. Called by
- * applications, once a strip. See shared.h. */
+/* frame/shared_resolve_swapped.c: samples that neighbours share to pixels in the order of most
+ * panels. Called by applications, once a strip. See shared.h. */
 #include "multisample_average.h"
 #include "shared.h"
 

@@ -1,5 +1,5 @@
-/* frame/smooth.c: anti-aliasing of a finished picture. Called by applications, once a
- * strip. See smooth.h. */
+/* frame/smooth.c: anti-aliasing of a finished picture. Called by applications, once a strip. See
+ * smooth.h. */
 #include "smooth_rows.h"
 
 void etch_smooth_draw(struct etch_carry *c, const struct etch_surface *source,

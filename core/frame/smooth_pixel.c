@@ -14,9 +14,7 @@ uint16_t etch_smooth_color(const struct smooth_place *p, int32_t dx, int32_t dy)
 
 static int16_t luma(const struct smooth_place *p, int32_t dx, int32_t dy)
 {
-    const uint32_t c = etch_smooth_color(p, dx, dy);
-
-    return (int16_t)(5 * ((c >> 11) + (c >> 5 & 63)) + 2 * (c & 31));
+    return smooth_luma(etch_smooth_color(p, dx, dy));
 }
 
 static int16_t size_of(int16_t v)
@@ -30,19 +28,11 @@ static int16_t bend(int16_t a, int16_t b, int16_t c)
     return size_of((int16_t)(a + c - 2 * b));
 }
 
-/* Steps 1 and 2; false if there is no edge. */
+/* Step 2; false if there is no edge. */
 static bool find_edge(const struct smooth_place *p, struct smooth_edge *edge)
 {
     const int16_t m = luma(p, 0, 0), n = luma(p, 0, -1), s = luma(p, 0, 1);
     const int16_t w = luma(p, -1, 0), e = luma(p, 1, 0);
-    int16_t least = n < s ? n : s, most = n < s ? s : n;
-
-    least = w < least ? w : least, most = w > most ? w : most;
-    least = e < least ? e : least, most = e > most ? e : most;
-    least = m < least ? m : least, most = m > most ? m : most;
-    if (most - least < (most / 8 > 24 ? most / 8 : 24))
-        return false;
-
     const int16_t nw = luma(p, -1, -1), ne = luma(p, 1, -1);
     const int16_t sw = luma(p, -1, 1), se = luma(p, 1, 1);
     const int16_t down = (int16_t)(bend(nw, w, sw) + 2 * bend(n, m, s) + bend(ne, e, se));

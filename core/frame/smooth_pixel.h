@@ -27,7 +27,13 @@ struct smooth_blend {
 /* The colour dx, dy beside the place, the nearest of the frame. */
 uint16_t etch_smooth_color(const struct smooth_place *p, int32_t dx, int32_t dy);
 
-/* Numerator 0: the pixel stays. */
+/* 0 .. 532. */
+ETCH_INLINE int16_t smooth_luma(uint16_t color)
+{
+    return (int16_t)(5 * ((color >> 11) + (color >> 5 & 63)) + 2 * (color & 31));
+}
+
+/* Numerator 0: the pixel stays. For pixels that have contrast. */
 struct smooth_blend etch_smooth_find(const struct smooth_place *p);
 
 #endif

@@ -1,5 +1,5 @@
-/* frame/smooth_swapped.c: anti-aliasing of a finished picture in the order of most panels. Called by applications, once a
- * strip. See smooth.h. */
+/* frame/smooth_swapped.c: anti-aliasing of a finished picture in the order of most panels. Called
+ * by applications, once a strip. See smooth.h. */
 #include "smooth_rows.h"
 
 void etch_smooth_draw_swapped(struct etch_carry *c, const struct etch_surface *source,

@@ -12,7 +12,7 @@
  *
  * A resolve takes the pixels inside out->clip whose samples the large surface holds. Each is the
  * exact average of its n^2 samples, rounded once, half up. Memory: n^2 times a strip (and as much
- * again for its depth). Cost on ARMv6-M: 7 instructions a sample and 6 to 15 a pixel.
+ * again for its depth). Cost: 7 to 9 instructions a sample.
  */
 #ifndef ETCH_FRAME_SUPERSAMPLE_H
 #define ETCH_FRAME_SUPERSAMPLE_H

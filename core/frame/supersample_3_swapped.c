@@ -1,5 +1,5 @@
-/* frame/supersample_3_swapped.c: 3 x 3 samples to pixels in the order of most panels. Called by applications, once a
- * strip. See supersample.h. */
+/* frame/supersample_3_swapped.c: 3 x 3 samples to pixels in the order of most panels. Called by
+ * applications, once a strip. See supersample.h. */
 #include "supersample_rows.h"
 
 void etch_supersample_resolve_3_swapped(const struct etch_surface *large,

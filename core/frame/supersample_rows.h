@@ -5,8 +5,8 @@
 #include "pixel.h"
 #include "supersample.h"
 
-/* The average of n^2 spread pixels, 4, 9 or 16: at most 16 * 63 + 8 in a channel. Nine have no ties,
- * and v * 7282 >> 16 = v / 9 for v < 16384. */
+/* The average of n^2 spread pixels, 4, 9 or 16: at most 16 * 63 + 8 in a channel. Nine have no
+ * ties, and v * 7282 >> 16 = v / 9 for v < 16384. */
 ETCH_INLINE uint16_t supersample_average(uint32_t sum, const uint8_t n)
 {
     if (n == 2)
@@ -34,6 +34,7 @@ ETCH_INLINE void supersample_resolve(const struct etch_surface *large,
                                      const bool swapped)
 {
     const struct etch_rect area = supersample_area(large, out, n);
+    const size_t stride = large->stride;
 
     if (etch_rect_is_empty(area))
         return;
@@ -46,9 +47,14 @@ ETCH_INLINE void supersample_resolve(const struct etch_surface *large,
         for (; pixel != end; sample += n) {
             uint32_t sum = 0;
 
-            for (uint8_t j = 0; j < n; j++)
+            const uint16_t *row = sample;
+
+            ETCH_UNROLL(4)
+            for (uint8_t j = 0; j < n; j++, row += stride) {
+                ETCH_UNROLL(4)
                 for (uint8_t i = 0; i < n; i++)
-                    sum += pixel_spread(sample[(size_t)j * large->stride + i]);
+                    sum += pixel_spread(row[i]);
+            }
             *pixel++ = pixel_ordered(supersample_average(sum, n), swapped);
         }
     }
