@@ -2,8 +2,8 @@
  *
  * All work on the frame's pixels that both clips share, so a surface whose window is a strip takes
  * a strip's part. To take pixels from another place of the same frame, make a surface over them
- * that is told the window of the destination. Both surfaces are in one byte order; rows must not overlap
- * in memory, but the two may be the same: then exchange and copy change nothing.
+ * that is told the window of the destination. Both surfaces are in one byte order; rows must not
+ * overlap in memory, but the two may be the same: then exchange and copy change nothing.
  */
 #ifndef ETCH_FRAME_EXCHANGE_H
 #define ETCH_FRAME_EXCHANGE_H

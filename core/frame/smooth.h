@@ -9,7 +9,7 @@
  *      ..........##########      ->      ........--++########      (+ and -: mixed)
  *
  *  1   luma = 5 (red + green) + 2 blue in output steps, 0 .. 532. A pixel whose contrast, the
- *      range of luma over it and its four neighbours, is below max(24, greatest / 8) stays as it is.
+ *      range of luma over it and its four neighbours, is below max(24, greatest / 8) stays.
  *  2   Second differences of luma over 3 x 3 say whether the edge runs along the row (also on a
  *      tie) or the column, and the greater first difference on which side of the pixel it lies (up
  *      or left on a tie): the side neighbour.
