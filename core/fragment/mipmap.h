@@ -5,6 +5,9 @@
  *
  *      for each triangle:  level = etch_mipmap_level(..);  sampler.image = mipmap.level[level];
  *                          etch_mipmap_vertex(..) for each vertex;  then draw those vertices
+ *
+ * Where the sides are powers of two, the fused kernels of texture.h can draw every level k > 0:
+ * etch_texture_init(&texture, level.texels, level.width, level.height).
  */
 #ifndef ETCH_FRAGMENT_MIPMAP_H
 #define ETCH_FRAGMENT_MIPMAP_H

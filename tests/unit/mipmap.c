@@ -107,6 +107,13 @@ static void levels_are_exact_means(void)
             CHECK_EQ(level->height, h >> k > 0 ? h >> k : 1);
             CHECK(etch_image_valid(level) && (level->alphas == NULL) == opaque);
             check_level(&image, level);
+            if (power) {
+                struct etch_texture fused;
+
+                CHECK_EQ(etch_texture_init(&fused, (const uint16_t *)level->texels, level->width,
+                                           level->height),
+                         ETCH_OK);
+            }
         }
         CHECK(m.level[m.count - 1].width == 1 && m.level[m.count - 1].height == 1);
     }
