@@ -15,11 +15,17 @@
 struct etch_basis {
     int32_t x1, y1, x2, y2; /* vertices 1 and 2 against 0, 1/256 px, signed so that D > 0 */
     int32_t reciprocal;     /* 2^62 / (D 2^shift), 2^30 .. 2^31 - 1, within 2^-27 of itself */
-    int8_t shift;           /* brings D into 2^31 .. 2^32 - 1 */
-    uint8_t bits;           /* extents are below 2^bits: 12, 14, 16 or 18 */
+    int32_t shift;          /* brings D into 2^31 .. 2^32 - 1 */
+    int32_t bits;           /* extents are below 2^bits: 12, 14, 16 or 18 */
     int32_t ax, ay;         /* the pixel of vertex 0 */
     int32_t fx, fy;         /* from vertex 0 to that pixel's centre, 1/256 px, -127 .. 128 */
 };
+
+/* v 2^s, modulo 2^32 to the left and rounded to nearest to the right; s = -31 .. 31. */
+ETCH_INLINE uint32_t basis_wrap_scale(int32_t v, int32_t s)
+{
+    return s >= 0 ? (uint32_t)v << s : (uint32_t)(v >> -s) + (uint32_t)(v >> (-s - 1) & 1);
+}
 
 /* False if the triangle is not near; then use plane.h. */
 bool etch_basis_setup(struct etch_basis *b, const struct etch_triangle *t);

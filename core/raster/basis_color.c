@@ -12,9 +12,9 @@
 #define UNIT_Q26 INT32_C(16579837)
 
 /* s: 256 2^24 / 2^62 2^32 2^(bits - 23), with the shift of the area. */
-ETCH_INLINE int8_t color_scale(const struct etch_basis *b)
+ETCH_INLINE int32_t color_scale(const struct etch_basis *b)
 {
-    return (int8_t)(b->shift + b->bits - 21);
+    return b->shift + b->bits - 21;
 }
 
 /* The plane of a channel that is plane->origin at vertex 0 and d1, d2 steps more at the others. From
@@ -22,18 +22,17 @@ ETCH_INLINE int8_t color_scale(const struct etch_basis *b)
 static void channel(struct etch_plane *plane, const struct etch_basis *b, int32_t factor,
                     int32_t d1, int32_t d2)
 {
-    const int8_t s = color_scale(b);
-    const int32_t up = INT32_C(1) << (23 - b->bits);
+    const int32_t s = color_scale(b), up = INT32_C(1) << (23 - b->bits);
     const int32_t hx = etch_mul_high((d1 * b->y2 - d2 * b->y1) * up, factor);
     const int32_t hy = etch_mul_high((d2 * b->x1 - d1 * b->x2) * up, factor);
-    const uint32_t dx = etch_wrap_scale(hx, s), dy = etch_wrap_scale(hy, s);
+    const uint32_t dx = basis_wrap_scale(hx, s), dy = basis_wrap_scale(hy, s);
     uint32_t v = plane->origin;
 
     if ((b->fx | b->fy) != 0) {
         const int32_t low = (hx & 255) * b->fx + (hy & 255) * b->fy;
 
         v = etch_wrap_add(v,
-                          etch_wrap_scale((hx >> 8) * b->fx + (hy >> 8) * b->fy + (low >> 8), s));
+                          basis_wrap_scale((hx >> 8) * b->fx + (hy >> 8) * b->fy + (low >> 8), s));
     }
     v = etch_wrap_sub(v, etch_wrap_mul(dx, (uint32_t)b->ax));
     plane->origin = etch_wrap_sub(v, etch_wrap_mul(dy, (uint32_t)b->ay));

@@ -6,9 +6,9 @@
  */
 #include "basis.h"
 
-static uint8_t bits_of(int32_t a, int32_t b)
+static int32_t bits_of(int32_t a, int32_t b)
 {
-    return (uint8_t)(32 - etch_leading_zeros((uint32_t)((a < 0 ? -a : a) | (b < 0 ? -b : b))));
+    return 32 - etch_leading_zeros((uint32_t)((a < 0 ? -a : a) | (b < 0 ? -b : b)));
 }
 
 /* The products in 64 bits, below 2^50, brought below 2^30, or to it where a negative one rounds
@@ -27,7 +27,7 @@ static uint8_t products_wide(const struct etch_basis *b, int32_t d1, int32_t d2,
 
 static uint8_t products(const struct etch_basis *b, int32_t d1, int32_t d2, int32_t n[2])
 {
-    const uint8_t bits = (uint8_t)(bits_of(d1, d2) + b->bits);
+    const int32_t bits = bits_of(d1, d2) + b->bits;
     const uint8_t drop = (uint8_t)(bits > 30 ? bits - 30 : 0);
 
     if (drop > 7)
@@ -38,20 +38,21 @@ static uint8_t products(const struct etch_basis *b, int32_t d1, int32_t d2, int3
     return drop;
 }
 
-/* slope * f / 256 * 2^s, for f = -127 .. 128. */
-static uint32_t offset(int32_t slope, int32_t f, int8_t s)
+static int32_t shifted(int32_t v, int32_t up)
 {
-    return etch_wrap_scale((slope >> 8) * f + (((slope & 255) * f) >> 8), s);
+    return (int32_t)((uint32_t)v << up);
 }
 
-/* The plane with slopes sx 2^s and sy 2^s per pixel that is v0 at vertex 0; s = -31 .. 31. */
-static void anchor(const struct etch_basis *b, uint32_t v0, int32_t sx, int32_t sy, int8_t s,
+/* The plane with slopes sx 2^s and sy 2^s per pixel, |sx|, |sy| < 2^30, that is v0 at vertex 0;
+ * s = -31 .. 31. From there to the centre of its pixel it grows by (sx fx + sy fy) / 256. */
+static void anchor(const struct etch_basis *b, uint32_t v0, int32_t sx, int32_t sy, int32_t s,
                    struct etch_plane *plane)
 {
-    const uint32_t dx = etch_wrap_scale(sx, s), dy = etch_wrap_scale(sy, s);
-    uint32_t v = etch_wrap_add(v0, offset(sx, b->fx, s));
+    const int32_t low = (sx & 255) * b->fx + (sy & 255) * b->fy;
+    const int32_t grows = (sx >> 8) * b->fx + (sy >> 8) * b->fy + (low >> 8);
+    const uint32_t dx = basis_wrap_scale(sx, s), dy = basis_wrap_scale(sy, s);
+    uint32_t v = etch_wrap_add(v0, basis_wrap_scale(grows, s));
 
-    v = etch_wrap_add(v, offset(sy, b->fy, s));
     v = etch_wrap_sub(v, etch_wrap_mul(dx, (uint32_t)b->ax));
     plane->origin = etch_wrap_sub(v, etch_wrap_mul(dy, (uint32_t)b->ay));
     plane->dx = dx;
@@ -66,14 +67,13 @@ bool etch_basis_depth(const struct etch_basis *b, const struct etch_triangle *t,
     const int32_t d2 = (int32_t)(etch_depth_q16(v[t->order[2]]->z_q16) >> 1) - (int32_t)(z0 >> 1);
     int32_t n[2];
     const uint8_t down = products(b, d1, d2, n);
-    const uint8_t used = bits_of(n[0], n[1]);
-    const int32_t up = INT32_C(1) << (used != 0 ? 31 - used : 0);
+    const int32_t used = bits_of(n[0], n[1]), spare = used != 0 ? 31 - used : 0;
     /* 2 * 256 / 2^62 * 2^32 */
-    const int8_t s = (int8_t)(b->shift - 21 + down - (used != 0 ? 31 - used : 0));
+    const int32_t s = b->shift - 21 + down - spare;
 
     if (s + b->bits > 16) /* 2^s (width + height) 2^-16 is to stay below 1/128 unit */
         return false;
-    anchor(b, z0, etch_mul_high(n[0] * up, b->reciprocal), etch_mul_high(n[1] * up, b->reciprocal),
-           s < -31 ? -31 : s, z);
+    anchor(b, z0, etch_mul_high(shifted(n[0], spare), b->reciprocal),
+           etch_mul_high(shifted(n[1], spare), b->reciprocal), s < -31 ? -31 : s, z);
     return true;
 }
