@@ -4,42 +4,13 @@
 #include "core/vertex/clip_volume.h"
 #include "tests/harness/canvas.h"
 #include "tests/oracle/wide.h"
+#include "tests/unit/clip_parts.h"
 
 void suite_clip_volume(void);
 
 static struct test_canvas one, two;
 
 /* ---- input ----------------------------------------------------------------------------------- */
-
-static int32_t coordinate(int kind, uint32_t *seed)
-{
-    static const int32_t ends[] = {INT32_MIN, INT32_MAX, -INT32_MAX, 0, 1, -1, 65536, -65536};
-    const int32_t any = (int32_t)test_random(seed);
-
-    switch (kind) {
-    case 0: return any;
-    case 1: return test_range(seed, -8, 8);
-    case 2: return ends[test_range(seed, 0, 7)];
-    case 3: return test_range(seed, -(INT32_C(1) << 18), INT32_C(1) << 18);
-    default: return any >> test_range(seed, 0, 31);
-    }
-}
-
-static void random_vertex(struct etch_clip_vertex *v, int kind, uint32_t *seed)
-{
-    const uint32_t color = test_random(seed);
-
-    v->x = coordinate(kind, seed);
-    v->y = coordinate(kind, seed);
-    v->z = coordinate(kind, seed);
-    v->w = coordinate(kind, seed);
-    if (v->w < 0 && v->w > INT32_MIN && test_range(seed, 0, 2) != 0)
-        v->w = -v->w;
-    v->r = (uint8_t)color;
-    v->g = (uint8_t)(color >> 8);
-    v->b = (uint8_t)(color >> 16);
-    v->a = (uint8_t)(color >> 24);
-}
 
 static void note_triangle(const struct etch_clip_vertex v[3])
 {
@@ -51,12 +22,6 @@ static void note_triangle(const struct etch_clip_vertex v[3])
         test_note("z", v[i].z);
         test_note("w", v[i].w);
     }
-}
-
-static bool same_vertex(const struct etch_clip_vertex *a, const struct etch_clip_vertex *b)
-{
-    return a->x == b->x && a->y == b->y && a->z == b->z && a->w == b->w && a->r == b->r &&
-           a->g == b->g && a->b == b->b && a->a == b->a;
 }
 
 /* ---- corners --------------------------------------------------------------------------------- */

@@ -2,6 +2,7 @@
 #include "core/raster/line_dda.h"
 #include "tests/harness/canvas.h"
 #include "tests/oracle/line.h"
+#include "tests/unit/line_parts.h"
 
 void suite_line_dda(void);
 
@@ -31,17 +32,6 @@ static bool is_allowed(const int16_t p[4], int32_t x, int32_t y, bool drawn)
     if (drawn)
         return size <= (65536 + k) * du;
     return size >= (65536 - k) * du;
-}
-
-static int16_t pick(uint32_t *seed, int32_t lo, int32_t hi, bool far)
-{
-    const int32_t kind = far ? test_range(seed, 0, 4) : 4;
-    const int32_t v = kind == 0   ? INT16_MIN
-                      : kind == 1 ? INT16_MAX
-                      : kind == 2 ? test_range(seed, INT16_MIN, INT16_MAX)
-                                  : test_range(seed, lo - 20, hi + 20);
-
-    return (int16_t)(v > INT16_MAX ? INT16_MAX : v);
 }
 
 static int32_t pixels, differ;

@@ -7,6 +7,7 @@
 #include "core/raster/line_runs.h"
 #include "tests/harness/canvas.h"
 #include "tests/oracle/line.h"
+#include "tests/unit/line_parts.h"
 
 void suite_line_runs(void);
 
@@ -14,18 +15,6 @@ static struct test_canvas canvas;
 
 static const struct etch_rect windows[] = {
     {0, 0, 48, 36}, {0, 0, 33, 25}, {150, 100, 190, 141}, {32727, 32731, 32767, 32767}};
-
-/* A coordinate near the axis lo .. hi of a window, at times far from it. */
-static int16_t pick(uint32_t *seed, int32_t lo, int32_t hi, bool far)
-{
-    const int32_t kind = far ? test_range(seed, 0, 4) : 4;
-    const int32_t v = kind == 0   ? INT16_MIN
-                      : kind == 1 ? INT16_MAX
-                      : kind == 2 ? test_range(seed, INT16_MIN, INT16_MAX)
-                                  : test_range(seed, lo - 20, hi + 20);
-
-    return (int16_t)(v > INT16_MAX ? INT16_MAX : v < INT16_MIN ? INT16_MIN : v);
-}
 
 static void open_window(uint32_t *seed, int32_t i)
 {
