@@ -47,26 +47,14 @@ etch_kernel *etch_scene_flat(struct etch_scene_run *run)
 
 /* ---- lines and points with state ----------------------------------------------------------- */
 
-/* A coordinate in 2^-frac px to 1/256 px, as tri reads it. */
-static bool read_position(struct etch_scene_reader *reader, const char *name, int32_t *q8)
-{
-    const int64_t limit = INT64_C(1) << (15 + reader->frac);
-    int64_t value;
-
-    if (!etch_text_integer(&reader->text, name, -limit, limit - 1, &value)) {
-        return false;
-    }
-    *q8 = etch_snap_q8((etch_q16)(value * (INT32_C(1) << (16 - reader->frac))));
-    return true;
-}
-
 /* x y z r g b */
 static bool read_vertex(struct etch_scene_reader *reader, struct etch_vertex *v)
 {
     uint8_t rgb[3];
     int64_t z;
 
-    if (!read_position(reader, "x", &v->x_q8) || !read_position(reader, "y", &v->y_q8) ||
+    if (!etch_scene_read_position(reader, "x", &v->x_q8) ||
+        !etch_scene_read_position(reader, "y", &v->y_q8) ||
         !etch_text_integer(&reader->text, "z", 0, 65535, &z) || !etch_scene_read_rgb(reader, rgb)) {
         return false;
     }

@@ -13,23 +13,6 @@ struct gradient {
     struct etch_plane plane[3]; /* 5.27, 6.26, 5.27, each + 1/2 */
 };
 
-/* The integers that the statement names, then a colour. */
-static bool read_shape(struct etch_scene_reader *reader,
-                       const struct etch_scene_statement *statement)
-{
-    struct etch_scene_step *step = etch_scene_append(reader, statement);
-    int64_t value;
-
-    for (int i = 0; step != NULL && statement->arguments[i] != NULL; i++) {
-        if (!etch_text_integer(&reader->text, statement->arguments[i], INT16_MIN, INT16_MAX,
-                               &value)) {
-            return false;
-        }
-        step->of.shape.at[i] = (int16_t)value;
-    }
-    return step != NULL && etch_scene_read_rgb(reader, step->of.shape.rgb);
-}
-
 /* Drawn once more on the scratch plane to be counted, as outlines are. */
 static void draw_ddaline(struct etch_scene_run *run, const struct etch_scene_step *step)
 {
@@ -159,8 +142,8 @@ static const char *const xyxy[] = {"x0", "y0", "x1", "y1", NULL};
 static const char *const xyxyxy[] = {"x0", "y0", "x1", "y1", "x2", "y2", NULL};
 
 const struct etch_scene_statement etch_scene_line_2d_statements[] = {
-    {"ddaline", read_shape, draw_ddaline, "etch_line_draw_dda", xyxy},
-    {"halfspace", read_shape, draw_halfspace, "etch_triangle_runs_halfspace", xyxyxy},
+    {"ddaline", etch_scene_read_shape, draw_ddaline, "etch_line_draw_dda", xyxy},
+    {"halfspace", etch_scene_read_shape, draw_halfspace, "etch_triangle_runs_halfspace", xyxyxy},
     {"gradient", read_gradient, draw_gradient, "etch_evaluate_rect", NULL},
     {NULL, NULL, NULL, NULL, NULL},
 };

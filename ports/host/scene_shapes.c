@@ -7,8 +7,8 @@
 #include "../../core/raster/triangle.h"
 #include "scene_steps.h"
 
-static bool read_shape(struct etch_scene_reader *reader,
-                       const struct etch_scene_statement *statement)
+bool etch_scene_read_shape(struct etch_scene_reader *reader,
+                           const struct etch_scene_statement *statement)
 {
     struct etch_scene_step *step = etch_scene_append(reader, statement);
     int64_t value;
@@ -164,13 +164,13 @@ static const char *const xywh[] = {"x", "y", "width", "height", NULL};
 static const char *const xyr[] = {"x", "y", "radius", NULL};
 
 const struct etch_scene_statement etch_scene_shape_statements[] = {
-    {"point", read_shape, draw_point, "etch_point_draw", xy},
-    {"line", read_shape, draw_line, "etch_line_draw", xyxy},
-    {"rect", read_shape, draw_rect, "etch_rect_draw", xywh},
-    {"fillrect", read_shape, draw_fillrect, "etch_rect_fill", xywh},
-    {"circle", read_shape, draw_circle, "etch_circle_draw", xyr},
-    {"disc", read_shape, draw_disc, "etch_circle_fill", xyr},
-    {"triangle", read_shape, draw_triangle, "etch_triangle_draw", xyxyxy},
-    {"filltriangle", read_shape, draw_filltriangle, "etch_triangle_fill", xyxyxy},
+    {"point", etch_scene_read_shape, draw_point, "etch_point_draw", xy},
+    {"line", etch_scene_read_shape, draw_line, "etch_line_draw", xyxy},
+    {"rect", etch_scene_read_shape, draw_rect, "etch_rect_draw", xywh},
+    {"fillrect", etch_scene_read_shape, draw_fillrect, "etch_rect_fill", xywh},
+    {"circle", etch_scene_read_shape, draw_circle, "etch_circle_draw", xyr},
+    {"disc", etch_scene_read_shape, draw_disc, "etch_circle_fill", xyr},
+    {"triangle", etch_scene_read_shape, draw_triangle, "etch_triangle_draw", xyxyxy},
+    {"filltriangle", etch_scene_read_shape, draw_filltriangle, "etch_triangle_fill", xyxyxy},
     {NULL, NULL, NULL, NULL, NULL},
 };

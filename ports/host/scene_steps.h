@@ -148,6 +148,13 @@ void *etch_scene_data(struct etch_scene_reader *reader, size_t size);
 /* R G B, 0 .. 255 each. */
 bool etch_scene_read_rgb(struct etch_scene_reader *reader, uint8_t rgb[3]);
 
+/* The 16-bit integers that the statement names, then a colour, into a new step's of.shape. */
+bool etch_scene_read_shape(struct etch_scene_reader *reader,
+                           const struct etch_scene_statement *statement);
+
+/* A coordinate in 2^-frac px to 1/256 px: to 16.16 exactly, then as every 16.16 is snapped. */
+bool etch_scene_read_position(struct etch_scene_reader *reader, const char *name, int32_t *q8);
+
 /* One 0 .. 255. */
 bool etch_scene_read_byte(struct etch_scene_reader *reader, const char *name, uint8_t *value);
 

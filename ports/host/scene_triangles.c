@@ -16,8 +16,7 @@ static bool read_uv(struct etch_scene_reader *reader, struct etch_texture_vertex
     return etch_text_q16(&reader->text, "u", &v->u) && etch_text_q16(&reader->text, "v", &v->v);
 }
 
-/* A coordinate in 2^-frac px to 1/256 px: to 16.16 exactly, then as every 16.16 is snapped. */
-static bool read_position(struct etch_scene_reader *reader, const char *name, int32_t *q8)
+bool etch_scene_read_position(struct etch_scene_reader *reader, const char *name, int32_t *q8)
 {
     const int64_t limit = INT64_C(1) << (15 + reader->frac);
     int64_t value;
@@ -36,7 +35,8 @@ static bool read_vertex(struct etch_scene_reader *reader, struct etch_texture_ve
     int64_t z;
     int32_t w;
 
-    if (!read_position(reader, "x", &v->x_q8) || !read_position(reader, "y", &v->y_q8) ||
+    if (!etch_scene_read_position(reader, "x", &v->x_q8) ||
+        !etch_scene_read_position(reader, "y", &v->y_q8) ||
         !etch_text_integer(&reader->text, "z", 0, 65535, &z) ||
         !etch_text_q16(&reader->text, "w", &w)) {
         return false;
