@@ -125,6 +125,8 @@ static const struct etch_scene_statement *find_statement(struct etch_word word)
         etch_scene_line_2d_statements,  etch_scene_pass_statements,
         etch_scene_polygon_statements,  etch_scene_path_statements,
         etch_scene_implicit_statements, etch_scene_sorted_statements,
+        etch_scene_light_statements,    etch_scene_elements_statements,
+        etch_scene_answer_statements,
     };
 
     for (size_t i = 0; i < sizeof tables / sizeof tables[0]; i++) {
@@ -172,6 +174,7 @@ static void set_defaults(struct etch_scene_reader *reader)
         .persp = 1, .zwrite = 1, .stencil_write = UINT8_MAX, .color_mask = UINT16_MAX};
     reader->view = view;
     etch_matrix_identity(&reader->view.model);
+    etch_material_init(&reader->view.surface);
 }
 
 bool etch_scene_open(struct etch_scene *scene, const char *path, struct etch_error *error)
@@ -199,6 +202,9 @@ bool etch_scene_open_in(struct etch_scene *scene, const char *path, int format,
     ok = ok && error->text[0] == '\0';
     if (ok && reader->sorted != NULL) {
         ok = etch_error_set(error, path, 0, "\"sorted\" without \"end\"");
+    }
+    if (ok && reader->elements != NULL) {
+        ok = etch_error_set(error, path, 0, "\"list\" without \"endlist\"");
     }
     if (ok && scene->width == 0) {
         ok = etch_error_set(error, path, 0, "no statement: the first must be \"scene W H\"");

@@ -10,7 +10,7 @@ void etch_scene_staged_draw(struct etch_scene_run *run, struct etch_scene_staged
 {
     struct etch_texture_vertex leveled[3];
     const struct etch_vertex *corners[3] = {v[0], v[1], v[2]};
-    struct etch_staged_planes planes;
+    struct etch_phong_planes planes;
     const struct etch_pipeline pipeline = {staged->varyings, staged->stages[run->scene->format],
                                            run->stats != NULL ? etch_scene_count
                                                               : etch_kernel_staged};
@@ -25,7 +25,7 @@ void etch_scene_staged_draw(struct etch_scene_run *run, struct etch_scene_staged
             corners[i] = &leveled[i].at;
         }
     }
-    etch_triangle_staged(&run->surface, corners, &pipeline, &planes);
+    etch_triangle_staged(&run->surface, corners, &pipeline, &planes.staged);
 }
 
 /* Whether a fused kernel draws the triangle, and with which one. */
@@ -34,7 +34,7 @@ static const struct etch_scene_pipeline *find_fused(const struct etch_scene_read
 {
     const struct etch_scene_state *state = &reader->state;
 
-    if (state->tex != 0 && !etch_scene_texture_is_plain(reader)) {
+    if (state->shade == 2 || (state->tex != 0 && !etch_scene_texture_is_plain(reader))) {
         return NULL;
     }
     if (state->tex == 0 && state->shade == 0 && state->persp != 0 && differs.w && differs.color) {
@@ -48,7 +48,8 @@ static bool is_same(const struct etch_scene_staged *staged, const struct etch_sc
 {
     return staged != NULL && memcmp(&staged->state, &reader->state, sizeof reader->state) == 0 &&
            staged->differs.w == differs.w && staged->differs.color == differs.color &&
-           (reader->state.tex == 0 || staged->of == reader->texture);
+           (reader->state.tex == 0 || staged->of == reader->texture) &&
+           staged->phong == reader->phong;
 }
 
 /* The latest pipeline of stages if it still fits, or a new one. */
@@ -66,6 +67,7 @@ static const struct etch_scene_pipeline *take_staged(struct etch_scene_reader *r
     }
     memcpy(&staged->state, &reader->state, sizeof staged->state);
     staged->differs = differs;
+    staged->phong = reader->phong;
     if (reader->state.tex != 0) {
         if (!etch_scene_take_sampler(reader, &staged->sampling)) {
             return NULL;
@@ -90,6 +92,11 @@ etch_scene_read_triangle_pipeline(struct etch_scene_reader *reader,
     }
     if (reader->state.tex != 0 && reader->texture == NULL) {
         (void)etch_text_fail(&reader->text, "\"state tex\" is on, but there is no texture");
+        return NULL;
+    }
+    if (reader->state.shade == 2 && reader->phong == NULL) {
+        (void)etch_text_fail(&reader->text, "\"state shade phong\" is for meshes: others have no "
+                                            "normals");
         return NULL;
     }
     pipeline = find_fused(reader, differs);

@@ -6,6 +6,7 @@
 #include "../../core/fragment/blend.h"
 #include "../../core/fragment/fog.h"
 #include "../../core/fragment/logic.h"
+#include "../../core/fragment/phong.h"
 #include "../../core/fragment/source_blocks.h"
 #include "../../core/fragment/stencil.h"
 #include "../../core/fragment/test.h"
@@ -23,6 +24,7 @@ struct etch_scene_staged {
     struct etch_scene_state state;       /* that it was made for */
     struct etch_scene_differs differs;
     const struct etch_scene_texture *of; /* its texture, NULL without */
+    const struct etch_phong *phong;      /* NULL without */
 
     etch_varying *varyings[ETCH_SCENE_VARYINGS + 1];
     struct etch_stage stages[2][ETCH_SCENE_STAGES + 1];

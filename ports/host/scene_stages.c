@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "../../core/draw/mesh_phong.h"
 #include "scene_staged.h"
 
 /* The lists for both byte orders, as they grow. */
@@ -116,7 +117,7 @@ static void add_color(struct builder *b)
 {
     const struct etch_scene_state *state = &b->staged->state;
 
-    if (state->shade != 0) {
+    if (state->shade == 1) {
         add_varying(b, etch_varying_flat);
         ADD(b, etch_source_flat, NULL);
     } else if (state->persp != 0 && b->staged->differs.w && b->staged->differs.color) {
@@ -127,6 +128,10 @@ static void add_color(struct builder *b)
         add_varying(b, etch_varying_alpha);
         ADD(b, etch_source_color, NULL);
         ADD(b, etch_source_alpha, NULL);
+    }
+    if (state->shade == 2) {
+        add_varying(b, etch_varying_shade);
+        ADD(b, etch_stage_phong, b->staged->phong);
     }
 }
 
@@ -250,7 +255,7 @@ void etch_scene_staged_build(struct etch_scene_staged *staged)
     }
     add_output(&b);
     staged->pipeline = (struct etch_scene_pipeline){
-        .shade = state->shade,
+        .shade = state->shade == 1,
         .ztest = state->ztest,
         .zwrite = state->zwrite,
         .kernel = {etch_kernel_staged, etch_kernel_staged},

@@ -12,7 +12,7 @@ struct choice {
 };
 
 static const char *const zero_one[] = {"0", "1", NULL};
-static const char *const shades[] = {"smooth", "flat", NULL};
+static const char *const shades[] = {"smooth", "flat", "phong", NULL};
 static const char *const tests[] = {"off",     "never",    "less",   "equal",  "lequal",
                                     "greater", "notequal", "gequal", "always", NULL};
 static const char *const culls[] = {"off", "back", "front", NULL};

@@ -8,7 +8,10 @@
  *      scene_state.c     state
  *      scene_texture.c   texture
  *      scene_triangles.c tri ctri
- *      scene_view.c      camera perspective parallel ambient light material model
+ *      scene_view.c      camera perspective parallel canonical model
+ *      scene_light.c     ambient light attenuation material
+ *      scene_elements.c  list vertex index endlist
+ *      scene_answers.c   select feedback
  *      scene_lines.c     cline wideline cpoint
  *      scene_lines_2d.c  ddaline halfspace gradient
  *      scene_lines_clip.c  clipline clippolygon cvline cvtri
@@ -21,11 +24,14 @@
 #define ETCH_HOST_SCENE_STEPS_H
 
 #include "../../core/draw/mesh.h"
+#include "../../core/fragment/phong.h"
+#include "../../core/vertex/lamp.h"
 #include "../../core/vertex/varying.h"
 #include "scene.h"
 #include "scene_pipeline.h"
 #include "scene_texture.h"
 
+struct elements;
 struct etch_scene_step;
 struct etch_scene_pass;
 
@@ -75,17 +81,22 @@ struct etch_scene_step {
 
 #define ETCH_SCENE_LIGHTS 8
 
-/* What the statements of scene_view.c set up for the next mesh. */
+/* What the statements of scene_view.c and scene_light.c set up for the next mesh. */
 struct etch_scene_view {
     struct etch_matrix model;
     struct etch_vector eye, target, up;
-    bool parallel;
+    bool parallel, canonical;
     etch_q16 angle_of_view; /* degrees, up and down */
     etch_q16 height, near, far;
     uint8_t ambient[3], material[4];
     uint8_t light_count;
     struct etch_vector light_towards[ETCH_SCENE_LIGHTS];
     uint8_t light_color[ETCH_SCENE_LIGHTS][3];
+
+    bool lamps; /* asked for more than diffuse light from far away */
+    bool blinn;
+    struct etch_lamp lamp[ETCH_SCENE_LIGHTS]; /* the same lights */
+    struct etch_material surface;
 };
 
 /* A scene while it is read. */
@@ -98,6 +109,8 @@ struct etch_scene_reader {
     struct etch_scene_texture *texture; /* the latest, or NULL */
     struct etch_scene_sorted *sorted;   /* the block that is open, or NULL */
     struct etch_scene_staged *staged;   /* the latest pipeline of stages, or NULL */
+    const struct etch_phong *phong;     /* of the mesh in hand, else NULL */
+    struct elements *elements;          /* the list between list and endlist, else NULL */
 };
 
 struct etch_scene_statement {
@@ -126,6 +139,9 @@ extern const struct etch_scene_statement etch_scene_shape_statements[];
 extern const struct etch_scene_statement etch_scene_state_statements[];
 extern const struct etch_scene_statement etch_scene_triangle_statements[];
 extern const struct etch_scene_statement etch_scene_view_statements[];
+extern const struct etch_scene_statement etch_scene_light_statements[];
+extern const struct etch_scene_statement etch_scene_elements_statements[];
+extern const struct etch_scene_statement etch_scene_answer_statements[];
 extern const struct etch_scene_statement etch_scene_mesh_statements[];
 extern const struct etch_scene_statement etch_scene_polygon_statements[];
 extern const struct etch_scene_statement etch_scene_path_statements[];

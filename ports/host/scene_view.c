@@ -1,4 +1,4 @@
-/* ports/host/scene_view.c: the statements that say how the next mesh is seen and lit. scene.c
+/* ports/host/scene_view.c: the statements that say how the next mesh is seen. scene.c
  * finds them by name, scene_mesh.c reads what they set. */
 #include "scene_steps.h"
 
@@ -30,7 +30,7 @@ static bool read_perspective(struct etch_scene_reader *reader,
                              const struct etch_scene_statement *statement)
 {
     (void)statement;
-    reader->view.parallel = false;
+    reader->view.parallel = reader->view.canonical = false;
     return etch_text_q16(&reader->text, "degrees", &reader->view.angle_of_view) &&
            read_range(reader);
 }
@@ -40,51 +40,17 @@ static bool read_parallel(struct etch_scene_reader *reader,
 {
     (void)statement;
     reader->view.parallel = true;
+    reader->view.canonical = false;
     return etch_text_q16(&reader->text, "height", &reader->view.height) && read_range(reader);
 }
 
-static bool read_ambient(struct etch_scene_reader *reader,
-                         const struct etch_scene_statement *statement)
+/* what stands in -1 .. 1 in x, y and z is seen as it is */
+static bool read_canonical(struct etch_scene_reader *reader,
+                           const struct etch_scene_statement *statement)
 {
     (void)statement;
-    return etch_scene_read_rgb(reader, reader->view.ambient);
-}
-
-/* off, or x y z towards the light and r g b: one more light */
-static bool read_light(struct etch_scene_reader *reader,
-                       const struct etch_scene_statement *statement)
-{
-    struct etch_scene_view *view = &reader->view;
-    struct etch_vector *towards = &view->light_towards[view->light_count];
-
-    (void)statement;
-    if (etch_scene_take(reader, "off")) {
-        view->light_count = 0;
-        return true;
-    }
-    if (view->light_count == ETCH_SCENE_LIGHTS) {
-        return etch_text_fail(&reader->text, "more than %d lights", ETCH_SCENE_LIGHTS);
-    }
-    if (!read_vector(reader, towards) ||
-        !etch_scene_read_rgb(reader, view->light_color[view->light_count])) {
-        return false;
-    }
-    if (towards->x == 0 && towards->y == 0 && towards->z == 0) {
-        return etch_text_fail(&reader->text, "a light needs a direction");
-    }
-    view->light_count++;
+    reader->view.canonical = true;
     return true;
-}
-
-static bool read_material(struct etch_scene_reader *reader,
-                          const struct etch_scene_statement *statement)
-{
-    uint8_t *color = reader->view.material;
-
-    (void)statement;
-    color[3] = 255;
-    return etch_scene_read_rgb(reader, color) &&
-           (!etch_text_more(&reader->text) || etch_scene_read_byte(reader, "a", &color[3]));
 }
 
 /* ---- the model's place ------------------------------------------------------------------- */
@@ -195,6 +161,10 @@ bool etch_scene_model_to_clip(struct etch_scene_reader *reader, struct etch_matr
     const struct etch_scene_view *view = &reader->view;
     struct etch_matrix eye;
 
+    if (view->canonical) {
+        *m = view->model;
+        return true;
+    }
     if (make_projection(reader, m) != ETCH_OK) {
         return etch_text_fail(&reader->text, "there is no such perspective or parallel view");
     }
@@ -212,9 +182,7 @@ const struct etch_scene_statement etch_scene_view_statements[] = {
     {"camera", read_camera, NULL, NULL, NULL},
     {"perspective", read_perspective, NULL, NULL, NULL},
     {"parallel", read_parallel, NULL, NULL, NULL},
-    {"ambient", read_ambient, NULL, NULL, NULL},
-    {"light", read_light, NULL, NULL, NULL},
-    {"material", read_material, NULL, NULL, NULL},
+    {"canonical", read_canonical, NULL, NULL, NULL},
     {"model", read_model, NULL, NULL, NULL},
     {NULL, NULL, NULL, NULL, NULL},
 };
