@@ -33,9 +33,10 @@ struct etch_transfer {
     int (*start)(void *context, uint8_t number, const uint8_t *bytes, uint32_t n);
     void *context;
 
+    /* The thread's until the first piece is started, then the interrupt's: */
     struct etch_pieces *pieces;
-    const uint8_t *ahead; /* the piece that comes next, or NULL, and its bytes: the thread's until */
-    uint32_t ahead_size;  /* the first is started, then the interrupt's */
+    const uint8_t *ahead; /* the piece that comes next, or NULL */
+    uint32_t ahead_size;  /* its bytes */
     volatile uint8_t number;
     volatile bool runs;
     volatile int status; /* with which it ended */

@@ -31,7 +31,7 @@ static uint16_t buffer[3][MAX_SIZE];
 static struct etch_display display;
 
 static inline int flush(const struct etch_display *d, struct etch_rect area, const uint16_t *pixels,
-                 uint16_t stride)
+                        uint16_t stride)
 {
     struct panel *p = d->context;
     const bool inside = area.x0 >= 0 && area.y0 >= 0 && area.x1 <= d->width && area.y1 <= d->height;
