@@ -67,9 +67,27 @@ ETCH_INLINE void width_fall(struct width *h)
     }
 }
 
-static int16_t held(int32_t x, const struct etch_rect *c)
+/* The next n rows, all above the centre (rising) or all on and below it; returns the run after
+ * them. */
+ETCH_INLINE struct etch_run *rows(struct etch_run *run, struct width *width, int32_t n, int32_t cx,
+                                  const struct etch_rect *c, bool rising)
 {
-    return (int16_t)(x < c->x0 ? c->x0 : x > c->x1 ? c->x1 : x);
+    const int32_t lo = c->x0, hi = c->x1;
+    struct width h = *width;
+
+    for (; n > 0; n--, run++) {
+        const int32_t left = cx - h.w, right = cx + h.w + 1;
+        const int32_t x0 = left < lo ? lo : left, x1 = right > hi ? hi : right;
+
+        run->x0 = (int16_t)x0;
+        run->x1 = (int16_t)(x1 < x0 ? x0 : x1); /* beside the clip: no pixel */
+        if (rising)
+            width_rise(&h);
+        else
+            width_fall(&h);
+    }
+    *width = h;
+    return run;
 }
 
 void etch_circle_runs(const struct etch_surface *s, int16_t cx, int16_t cy, int16_t r,
@@ -87,17 +105,10 @@ void etch_circle_runs(const struct etch_surface *s, int16_t cx, int16_t cy, int1
     width_set(&h, r, y < cy ? cy - y : y - cy);
     while (y < y1) {
         const int32_t n = y1 - y < ETCH_RUN_BLOCK ? y1 - y : ETCH_RUN_BLOCK;
-        struct etch_run *run = runs;
+        const int32_t above = y < cy ? (cy - y < n ? cy - y : n) : 0;
 
-        do {
-            run->x0 = held(cx - h.w, &c);
-            run->x1 = held(cx + h.w + 1, &c);
-            if (y < cy)
-                width_rise(&h);
-            else
-                width_fall(&h);
-            y++, run++;
-        } while (run != runs + n);
+        rows(rows(runs, &h, above, cx, &c, true), &h, n - above, cx, &c, false);
+        y += n;
         paint->kernel(s, (int16_t)(y - n), runs, (uint8_t)n, paint);
     }
 }
