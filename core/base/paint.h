@@ -23,9 +23,10 @@ struct etch_paint;
 
 /* A fragment kernel: does the pixel work for runs[0 .. n-1], which lie on rows y0, y0 + 1, ..
  * y0 + n - 1 of the frame; 1 <= n <= ETCH_RUN_BLOCK. Every pixel is inside surface->clip, and
- * a primitive hands each pixel over at most once, top to bottom. `paint` is the one given to
- * the raster function; a kernel finds its data behind it. Users write their own in the same
- * way: see fragment/template.h. */
+ * a primitive hands each pixel over at most once, top to bottom; shapes with several runs in a
+ * row (polygons, implicit shapes) do so by bands of up to 32 rows, within a band one run of each
+ * row after the other. `paint` is the one given to the raster function; a kernel finds its data
+ * behind it. Users write their own in the same way: see fragment/template.h. */
 typedef void etch_kernel(const struct etch_surface *surface, int16_t y0,
                          const struct etch_run *runs, uint8_t n, const struct etch_paint *paint);
 
