@@ -58,7 +58,7 @@ void etch_painter_init(struct etch_painter *p, struct etch_painter_triangle *tri
  * cut found no room: what is kept is drawn all the same, in the order of its depth where it needed
  * the cut. Always ends: every step draws a triangle, cuts one, or moves one that was not moved
  * since the last cut. Cost: n log n for the order, then the tests of pairs that overlap in depth
- * and on the screen, some 2,000 instructions on ARMv6-M where all are needed. */
+ * and on the screen, from extents (a few comparisons) to plane tests (64-bit products). */
 enum etch_status etch_painter_sort(struct etch_painter *p);
 
 /* Hands the triangles to to->triangle, from far to near. As often as wanted. */

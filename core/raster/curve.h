@@ -27,7 +27,7 @@ typedef void etch_curve_point(void *context, struct etch_point_q8 to);
 
 /* Calls point(context, ..) for every point of the polyline but the first, which is p[0]: 2^k calls,
  * the last with p[2] or p[3]. Flatness is in 1/256 px, 1 .. 2^31 - 1, and less is taken as 1; k is
- * 13 at most. Cost on ARMv6-M: some 30 (quadratic) and 45 (cubic) instructions a point. */
+ * 13 at most. Cost: two (quadratic) or three (cubic) 64-bit sums a coordinate of a point. */
 void etch_quadratic_flatten(const struct etch_point_q8 p[3], int32_t flatness_q8,
                             etch_curve_point *point, void *context);
 void etch_cubic_flatten(const struct etch_point_q8 p[4], int32_t flatness_q8,

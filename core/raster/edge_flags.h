@@ -30,7 +30,7 @@ struct etch_edge_flags {
 enum etch_status etch_edge_flags_init(struct etch_edge_flags *f, struct etch_rect rect,
                                       uint8_t *bits, size_t room);
 
-/* Inverts the edge between a and b, -2^23 .. 2^23; some 200 instructions on ARMv6-M, and 25 a row. */
+/* Inverts the edge between a and b, -2^23 .. 2^23. A row costs a step and a bit. */
 void etch_edge_flags_add_edge(struct etch_edge_flags *f, struct etch_point_q8 a,
                               struct etch_point_q8 b);
 

@@ -57,7 +57,7 @@ enum etch_status etch_polygon_add_edge(struct etch_polygon *p, struct etch_point
                                        struct etch_point_q8 b);
 
 /* Adds the closed contour v[0] .. v[n - 1]; the last edge goes back to v[0]. Fewer than 3 vertices
- * have no area, and add nothing. Some 150 instructions an edge on ARMv6-M. */
+ * have no area, and add nothing. */
 enum etch_status etch_polygon_add(struct etch_polygon *p, const struct etch_point_q8 *v,
                                   uint16_t n);
 
@@ -66,9 +66,9 @@ enum etch_status etch_polygon_add_pixels(struct etch_polygon *p, const struct et
                                          uint16_t n);
 
 /* Hands the runs inside surface->clip to the paint. The first call sorts the edges by their rows.
- * Cost: nothing for rows outside the clip or between contours; a division for each edge that is
- * cut by the top of the clip, none where a strip continues the one above; then some 30 instructions
- * on ARMv6-M an edge and row, for edges that are not right of the clip. Stack: 350 bytes. */
+ * Cost: nothing for rows outside the clip or between contours; a 64-bit division for each edge that
+ * is cut by the top of the clip, none where a strip continues the one above; then, for edges that are
+ * not right of the clip, a step an edge and row, and an insertion where edges cross. */
 void etch_polygon_runs_evenodd(const struct etch_surface *surface, struct etch_polygon *p,
                                const struct etch_paint *paint);
 void etch_polygon_runs_nonzero(const struct etch_surface *surface, struct etch_polygon *p,

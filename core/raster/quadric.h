@@ -19,7 +19,7 @@ enum etch_status etch_quadric_check(const struct etch_quadric *q);
 
 /* Hands the runs inside surface->clip to the paint, at most two a row, each pixel once. The
  * coefficients must be in range. Cost: a row is scanned by 16 pixels at a time where F cannot
- * change sign, some 40 instructions on ARMv6-M, and pixel by pixel elsewhere, some 12 each.
+ * change sign, and pixel by pixel elsewhere, two 64-bit sums each.
  * Source: forward differences, after V. Pratt, "Techniques for conic splines", 1985. */
 void etch_quadric_runs(const struct etch_surface *surface, const struct etch_quadric *q,
                        const struct etch_paint *paint);

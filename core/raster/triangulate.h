@@ -27,7 +27,7 @@ typedef void etch_triangulate_function(void *context, const uint16_t vertex[3]);
  * none. Vertices within -2^23 .. 2^23, no edge crosses or touches another but at the vertex they
  * share, winding as it may be. `node` has room for n. Fewer than 3 vertices make no triangle.
  * ETCH_EINVAL where no ear is left, as may be with polygons that are not simple: triangles made
- * until then have been handed over. About 40 n^2 instructions on ARMv6-M; no recursion. */
+ * until then have been handed over. n^2 steps; no recursion. */
 enum etch_status etch_triangulate(const struct etch_point_q8 *v, uint16_t n,
                                   struct etch_ring_node *node, etch_triangulate_function *triangle,
                                   void *context);
