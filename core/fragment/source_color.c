@@ -1,18 +1,13 @@
 /* fragment/source_color.c: colours linear on the screen. A stage; see source.h. */
 #include "source.h"
 
-/* One channel of the chunk from a plane with the half of rounding in it, which goes off again. The
- * bits that 16 cannot hold are cut: adding the half to what is left and cutting gives the pixel that
- * the plane itself gives. */
 static void channel(uint16_t *out, const struct etch_chunk *c, const struct etch_plane *plane,
                     uint32_t half, uint32_t most)
 {
     uint32_t value = etch_plane_at(plane, c->x, c->y);
 
     for (uint16_t i = 0; i < c->n; i++) {
-        const uint32_t v = value > half ? (value - half) >> 16 : 0;
-
-        out[i] = (uint16_t)(v < most ? v : most);
+        out[i] = (uint16_t)etch_chunk_channel(value, half, most);
         value = etch_wrap_add(value, plane->dx);
     }
 }

@@ -49,6 +49,26 @@ struct etch_chunk {
 #define ETCH_CHUNK_GREEN_MAX (UINT32_C(63) << 10)
 #define ETCH_CHUNK_ALPHA_MAX (UINT32_C(255) << 8)
 
+/* A channel of a chunk from its plane, 5.27 or 6.26 with the half of rounding in it, which goes off
+ * again. What 16 bits cannot hold is cut: adding the half to what is left and cutting gives the pixel
+ * that the plane itself gives. */
+ETCH_INLINE uint32_t etch_chunk_channel(uint32_t plane, uint32_t half, uint32_t most)
+{
+    const uint32_t v = plane > half ? (plane - half) >> 16 : 0;
+
+    return v < most ? v : most;
+}
+
+/* Alpha from its plane, 8.23 + 1/128, rounded to nearest. The plane is 2^16 .. 255 2^23 + 2^16 and
+ * errs by less than 2^15, so it does not fall below 0. */
+ETCH_INLINE uint32_t etch_chunk_alpha(uint32_t plane)
+{
+    const uint32_t less = (UINT32_C(1) << 16) - (UINT32_C(1) << 14);
+    const uint32_t a = plane > less ? (plane - less) >> 15 : 0;
+
+    return a < ETCH_CHUNK_ALPHA_MAX ? a : ETCH_CHUNK_ALPHA_MAX;
+}
+
 typedef void etch_stage_function(struct etch_chunk *chunk, const void *data);
 
 struct etch_stage {

@@ -54,7 +54,7 @@ void etch_report_stats(const struct etch_simulation *s)
     (void)printf(", vertices %zu\n", s->scene->vertex_bytes);
 }
 
-/* Prints a name unless an earlier step has it too. */
+/* The names that a step needs, with blanks between, or NULL. */
 static const char *needs_of(const struct etch_scene *scene, const struct etch_scene_step *step,
                             int what)
 {
@@ -63,25 +63,43 @@ static const char *needs_of(const struct etch_scene *scene, const struct etch_sc
                                     : step->pipeline->name[scene->format];
 }
 
+struct names {
+    struct etch_word seen[256];
+    size_t count;
+};
+
+/* Prints the words that were not printed before. */
+static void print_new(struct names *names, const char *text)
+{
+    while (*text != '\0') {
+        const struct etch_word word = {text, strcspn(text, " ")};
+        size_t k = 0;
+
+        while (k < names->count && (names->seen[k].size != word.size ||
+                                    memcmp(names->seen[k].text, word.text, word.size) != 0)) {
+            k++;
+        }
+        if (k == names->count && k < sizeof names->seen / sizeof names->seen[0]) {
+            names->seen[names->count++] = word;
+            (void)printf(" %.*s", (int)word.size, word.text);
+        }
+        text += word.size + strspn(text + word.size, " ");
+    }
+}
+
 static void print_names(const struct etch_scene *scene, const char *title, int what)
 {
-    const char *seen[256];
-    size_t n = 0;
+    struct names names = {.count = 0};
 
     (void)printf("%s", title);
     for (size_t i = 0; i < scene->count; i++) {
         const char *name = needs_of(scene, &scene->step[i], what);
-        size_t k = 0;
 
-        while (name != NULL && k < n && seen[k] != name) {
-            k++;
-        }
-        if (name != NULL && k == n && n < sizeof seen / sizeof seen[0]) {
-            seen[n++] = name;
-            (void)printf(" %s", name);
+        if (name != NULL) {
+            print_new(&names, name);
         }
     }
-    (void)printf("%s\n", n == 0 ? " none" : "");
+    (void)printf("%s\n", names.count == 0 ? " none" : "");
 }
 
 void etch_report_needs(const struct etch_simulation *s)

@@ -3,6 +3,8 @@
  * made here, with the one line that any user would write. */
 #include "scene_pipeline.h"
 
+#include "../../core/draw/blend.h"
+#include "../../core/fragment/blend_fused.h"
 #include "../../core/fragment/flat_shader.h"
 #include "../../core/fragment/gouraud_shader.h"
 
@@ -62,6 +64,15 @@ KERNELS(always, 1)
     ROW(SMOOTH, ztest, zwrite, etch_triangle_gouraud_depth, etch_triangle_gouraud_depth, kernel,   \
         kernel##_swapped)
 
+#define BLEND_ROW(kind, paints, draws)                                                             \
+    {                                                                                              \
+        .shade = (kind), .painter = {paints, paints}, .kernel = {draws, draws##_swapped},          \
+        .name = {                                                                                  \
+            #draws,                                                                                \
+            #draws "_swapped"                                                                      \
+        }                                                                                          \
+    }
+
 #define ROWS(ztest, zwrite, test)                                                                  \
     FLAT_ROW(ztest, zwrite, flat_##test##_##zwrite),                                               \
         SMOOTH_ROW(ztest, zwrite, gouraud_##test##_##zwrite)
@@ -115,4 +126,19 @@ const struct etch_scene_pipeline *etch_scene_pipeline_find(const struct etch_sce
         }
     }
     return NULL;
+}
+
+const struct etch_scene_pipeline *
+etch_scene_pipeline_find_blend(const struct etch_scene_state *state)
+{
+    static const struct etch_scene_pipeline blends[] = {
+        BLEND_ROW(SMOOTH, etch_triangle_gouraud_blend, etch_kernel_gouraud_blend),
+        BLEND_ROW(FLAT, etch_triangle_flat_blend, etch_kernel_flat_blend),
+    };
+    struct etch_scene_state opaque = *state;
+
+    opaque.blend = 0;
+    return state->blend == 1 && state->ztest == OFF && state->tex == 0 && !is_beyond(&opaque)
+               ? &blends[state->shade]
+               : NULL;
 }

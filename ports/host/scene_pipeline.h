@@ -54,6 +54,10 @@ struct etch_scene_pipeline {
 /* The row that draws with this state, NULL if no fused kernel does. */
 const struct etch_scene_pipeline *etch_scene_pipeline_find(const struct etch_scene_state *state);
 
+/* The same for triangles alone, blended by alpha without depth. */
+const struct etch_scene_pipeline *
+etch_scene_pipeline_find_blend(const struct etch_scene_state *state);
+
 /* The same for states with `tex` on. */
 const struct etch_scene_pipeline *
 etch_scene_pipeline_find_texture(const struct etch_scene_state *state);

@@ -40,7 +40,8 @@ static const struct etch_scene_pipeline *find_fused(const struct etch_scene_read
     if (state->tex == 0 && state->shade == 0 && state->persp != 0 && differs.w && differs.color) {
         return NULL; /* colours in perspective */
     }
-    return etch_scene_pipeline_find(state);
+    return state->blend != 0 ? etch_scene_pipeline_find_blend(state)
+                             : etch_scene_pipeline_find(state);
 }
 
 static bool is_same(const struct etch_scene_staged *staged, const struct etch_scene_reader *reader,

@@ -238,6 +238,8 @@ void etch_scene_staged_build(struct etch_scene_staged *staged)
     struct builder b = {staged, 0, 0};
     const struct etch_scene_state *state = &staged->state;
 
+    add_name(staged->names[0], sizeof staged->names[0], "etch_kernel_staged");
+    add_name(staged->names[1], sizeof staged->names[1], "etch_kernel_staged");
     if (state->ztest != 0 || state->fog != 0) {
         add_varying(&b, etch_varying_depth);
         ADD(&b, etch_source_depth, NULL);
