@@ -34,7 +34,8 @@
  *              ETCH_ASSERT, which is empty unless the build defines it.
  *
  * Where to go on: base/surface.h (the memory), draw/shapes.h and raster/line.h (2D),
- * draw/triangle.h and draw/texture.h (shaded and textured triangles), draw/mesh.h (3D),
+ * draw/triangle.h and draw/texture.h (shaded and textured triangles), draw/staged.h (blending,
+ * stencil, fog: any state), draw/mesh.h (3D),
  * draw/retained.h (geometry kept over the strips of a frame), base/paint.h and
  * fragment/template.h (your own pixel work). Functions called .._small do the same in less flash
  * and more time; their headers, named likewise, are included by name. The loops in leaf/ replace

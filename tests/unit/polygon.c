@@ -2,6 +2,7 @@
 #include "core/draw/polygon.h"
 #include "tests/harness/bands.h"
 #include "tests/harness/shapes.h"
+#include "tests/harness/stores.h"
 #include "tests/oracle/polygon.h"
 
 void suite_polygon(void);
@@ -373,6 +374,36 @@ static void refuses_what_it_cannot_hold(void)
     CHECK_EQ(etch_polygon_add_pixels(&polygon, v, 2), ETCH_OK);
 }
 
+/* A star over all of the plane, seen through a few rows: it costs those rows, wherever they are,
+ * and the rows after them no division. Counted in blocks of code, where core is built for it. */
+static void cost_is_of_what_is_visible(void)
+{
+    static struct etch_point v[POINTS];
+    static const uint16_t size[] = {POINTS};
+    uint32_t seed = 5, worst = 0, blocks;
+    int32_t i;
+
+    for (i = 0; i < POINTS; i++) {
+        v[i].x = (int16_t)test_range(&seed, INT16_MIN, INT16_MAX);
+        v[i].y = (int16_t)(i % 2 != 0 ? INT16_MIN : INT16_MAX);
+    }
+    for (i = 0; i < 50; i++) {
+        const int16_t at = (int16_t)test_range(&seed, 0, 32700);
+
+        test_canvas_open(&canvas,
+                         (struct etch_rect){at, at, (int16_t)(at + 16), (int16_t)(at + 8)});
+        (void)test_blocks();
+        CHECK_EQ(etch_polygon_fill_evenodd(&canvas.surface, v, size, 1, TEST_INK, edges, POINTS),
+                 ETCH_OK);
+        blocks = test_blocks();
+        worst = blocks > worst ? blocks : worst;
+        CHECK(blocks < 20000 && (!TEST_STORES || blocks > 0));
+    }
+    if (TEST_STORES)
+        test_print_count("8 rows of a star of 40 edges over the plane: ", (int32_t)worst,
+                         " blocks at most");
+}
+
 void suite_polygon(void)
 {
     RUN(covers_what_crossings_say);
@@ -383,5 +414,6 @@ void suite_polygon(void)
     RUN(a_star_with_both_rules);
     RUN(extremes_of_int16_are_legal);
     RUN(refuses_what_it_cannot_hold);
+    RUN(cost_is_of_what_is_visible);
     test_print_count("", polygons, " polygons, no differing pixel");
 }
