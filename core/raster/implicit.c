@@ -91,33 +91,39 @@ static void draw_tile(const struct etch_surface *surface, const struct etch_impl
     etch_run_band_flush(&band);
 }
 
+/* A row of tiles; those side by side that are inside are drawn as one. */
+static void draw_row(const struct etch_surface *surface, const struct etch_implicit *shape,
+                     struct etch_rect row, const struct etch_paint *paint)
+{
+    struct etch_rect tile = row, whole = row;
+
+    for (; tile.x0 < row.x1; tile.x0 = tile.x1) {
+        enum etch_implicit_side side;
+
+        tile.x1 = (int16_t)(row.x1 - tile.x0 < TILE ? row.x1 : tile.x0 + TILE);
+        side = shape->side(shape, tile);
+        if (side == ETCH_IMPLICIT_INSIDE)
+            continue;
+        whole.x1 = tile.x0;
+        etch_rect_runs(surface, whole, paint);
+        whole.x0 = tile.x1;
+        if (side == ETCH_IMPLICIT_UNKNOWN)
+            draw_tile(surface, shape, tile, paint);
+    }
+    whole.x1 = row.x1;
+    etch_rect_runs(surface, whole, paint);
+}
+
 void etch_implicit_runs(const struct etch_surface *surface, const struct etch_implicit *shape,
                         const struct etch_paint *paint)
 {
     const struct etch_rect seen = etch_rect_intersect(shape->box, surface->clip);
-    struct etch_rect tile, whole; /* tiles in a row that are inside are drawn as one */
+    struct etch_rect row = seen;
 
     if (etch_rect_is_empty(seen))
         return;
-    for (tile.y0 = seen.y0; tile.y0 < seen.y1; tile.y0 = tile.y1) {
-        tile.y1 = (int16_t)(seen.y1 - tile.y0 < TILE ? seen.y1 : tile.y0 + TILE);
-        whole = tile;
-        whole.x0 = seen.x0;
-        for (tile.x0 = seen.x0; tile.x0 < seen.x1; tile.x0 = tile.x1) {
-            enum etch_implicit_side side;
-
-            tile.x1 = (int16_t)(seen.x1 - tile.x0 < TILE ? seen.x1 : tile.x0 + TILE);
-            side = shape->side(shape, tile);
-            if (side == ETCH_IMPLICIT_INSIDE)
-                continue;
-            whole.x1 = tile.x0;
-            whole.y0 = tile.y0, whole.y1 = tile.y1;
-            etch_rect_runs(surface, whole, paint);
-            whole.x0 = tile.x1;
-            if (side == ETCH_IMPLICIT_UNKNOWN)
-                draw_tile(surface, shape, tile, paint);
-        }
-        whole.x1 = seen.x1;
-        etch_rect_runs(surface, whole, paint);
+    for (; row.y0 < seen.y1; row.y0 = row.y1) {
+        row.y1 = (int16_t)(seen.y1 - row.y0 < TILE ? seen.y1 : row.y0 + TILE);
+        draw_row(surface, shape, row, paint);
     }
 }
