@@ -38,7 +38,8 @@ static uint8_t products(const struct etch_basis *b, int32_t d1, int32_t d2, int3
     return drop;
 }
 
-static int32_t shifted(int32_t v, int32_t up)
+/* v 2^up of either sign, which fits. */
+static int32_t shifted_wrap(int32_t v, int32_t up)
 {
     return (int32_t)((uint32_t)v << up);
 }
@@ -73,7 +74,7 @@ bool etch_basis_depth(const struct etch_basis *b, const struct etch_triangle *t,
 
     if (s + b->bits > 16) /* 2^s (width + height) 2^-16 is to stay below 1/128 unit */
         return false;
-    anchor(b, z0, etch_mul_high(shifted(n[0], spare), b->reciprocal),
-           etch_mul_high(shifted(n[1], spare), b->reciprocal), s < -31 ? -31 : s, z);
+    anchor(b, z0, etch_mul_high(shifted_wrap(n[0], spare), b->reciprocal),
+           etch_mul_high(shifted_wrap(n[1], spare), b->reciprocal), s < -31 ? -31 : s, z);
     return true;
 }
