@@ -83,7 +83,7 @@ static bool level_open(struct etch_scene_level *level, const struct etch_scene *
 {
     const struct etch_rect frame = {0, 0, scene->width, scene->height};
     const size_t height = (size_t)(strip->window.y1 - strip->window.y0) + 2 * rows;
-    const size_t elements = height * (size_t)scene->width;
+    const size_t elements = height * (uint16_t)scene->width;
 
     if (level->kept == NULL) {
         level->kept = calloc((size_t)scene->width * 2 * rows, sizeof *level->kept);
