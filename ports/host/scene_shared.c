@@ -10,7 +10,7 @@ static void copy_columns(const struct etch_surface *to, const struct etch_surfac
     const size_t size = etch_scene_size_of(to->window);
 
     for (size_t i = 0; i < size; i++) {
-        if (((i % to->stride + (size_t)to->window.x0) & 1) == odd) {
+        if (((i % to->stride + (uint16_t)to->window.x0) & 1) == odd) {
             to->pixels[i] = from->pixels[i];
             if (to->depth != NULL) {
                 to->depth[i] = from->depth[i];
