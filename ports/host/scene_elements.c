@@ -77,7 +77,7 @@ static void transform(const struct etch_mesh_stage *stage, uint16_t index,
     const struct vertex *v = &e->vertex[index];
     etch_q16 clip[4];
 
-    for (int i = 0; i < 4; i++) { /* below 2^64 / 2: the last column is 2^-16 of a product */
+    for (int i = 0; i < 4; i++) { /* below 3 * 2^46 + 2^31 */
         const etch_q16 *row = e->matrix.m[i];
         int64_t sum = row[3];
 
