@@ -27,8 +27,10 @@ ETCH_INLINE int32_t first_offset(int32_t f, int32_t k, int32_t dy, int32_t rest)
     return f * (dy >> 8) + k * (rest >> 8) + ((f * (dy & 255) + k * (rest & 255) + 255) >> 8);
 }
 
-/* n / d and the rest, bit by bit: quotients are small, since edges that flat have few rows. 12
- * instructions and 10 a bit, where libgcc's division is 22 and 478 bytes. n < 2^24. */
+/* n / d and the rest; the same in two forms. Cores without a divider go bit by bit, since
+ * edges that flat have small quotients: 12 instructions and 10 a bit, where libgcc's division is 22
+ * and 478 bytes. */
+#if defined(__ARM_ARCH_6M__) || defined(__AVR__)
 ETCH_INLINE uint32_t quotient_of(uint32_t n, uint32_t d, uint32_t *rest)
 {
     uint32_t part = d, quotient = 0;
@@ -43,6 +45,15 @@ ETCH_INLINE uint32_t quotient_of(uint32_t n, uint32_t d, uint32_t *rest)
     *rest = n;
     return quotient;
 }
+#else
+ETCH_INLINE uint32_t quotient_of(uint32_t n, uint32_t d, uint32_t *rest)
+{
+    const uint32_t quotient = n / d;
+
+    *rest = n - quotient * d;
+    return quotient;
+}
+#endif
 
 /* Puts the edge a, b on its first row: with k = 0 .. 255 from a down to that row's centres, and
  * dx = q dy + r, M / dy = (xa - 128 + k q) / 256 + k r / (256 dy). The first term's whole pixels

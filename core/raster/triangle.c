@@ -3,14 +3,26 @@
  * then has seven values, which is what ARMv6-M has registers for. */
 #include "edge.h"
 
-/* Moves an edge k rows down at once. k <= 2^16, so k * remainder < 2^40. */
-static ETCH_COLD void edge_skip(struct edge *g, uint32_t k)
+/* k remainder / dy; k <= 2^16, so the product is below 2^40. */
+static ETCH_COLD uint32_t far_down(const struct edge *g, uint32_t k, uint32_t *rest)
 {
-    const uint64_t down = (uint64_t)k * (uint32_t)g->remainder;
-    const struct etch_quotient r = etch_divide_u64(down, (uint64_t)g->dy);
+    const struct etch_quotient r = etch_divide_u64((uint64_t)k * (uint32_t)g->remainder,
+                                                   (uint64_t)g->dy);
 
-    g->x += (int32_t)k * g->quotient + (int32_t)r.quotient;
-    g->e -= (int32_t)r.remainder;
+    *rest = (uint32_t)r.remainder;
+    return (uint32_t)r.quotient;
+}
+
+/* Moves an edge k rows down at once. Triangles that cross the edge of a strip begin so. */
+static void edge_skip(struct edge *g, uint32_t k)
+{
+    const bool near = k < 256; /* remainder < dy <= 2^24 */
+    uint32_t rest;
+    const uint32_t more = near ? quotient_of(k * (uint32_t)g->remainder, (uint32_t)g->dy, &rest)
+                               : far_down(g, k, &rest);
+
+    g->x += (int32_t)k * g->quotient + (int32_t)more;
+    g->e -= (int32_t)rest;
     if (g->e < 0)
         g->e += g->dy, g->x++;
 }

@@ -95,6 +95,21 @@ static bool is_near(const int32_t c[3], int64_t place, int64_t near, uint32_t te
     return false;
 }
 
+/* Whether the line of a block is as near to the exact coordinate as fragment/texture.h says: a quarter
+ * of what the coordinate changes by times what 1/w does, in 1/65536 of the lesser of its ends. */
+static bool line_is_near(const struct texture_sample *s, int64_t from, int64_t to, int64_t exact,
+                         int32_t x, int32_t y)
+{
+    const struct etch_plane *const d = &s->planes.denominator;
+    const int32_t start = x & ~INT32_C(15);
+    const int64_t a = etch_ratio_at(d, start, y), b = etch_ratio_at(d, start + 16, y);
+    const int64_t ratio = (a < b ? b - a : a - b) * 65536 / (a < b ? a : b) + 1;
+    const int64_t change = to < from ? from - to : to - from;
+    const int64_t error = from + (to - from) * (x - start) / 16 - exact;
+
+    return ratio <= 65537 && (error < 0 ? -error : error) <= change / 4 * ratio / 65536 + 2;
+}
+
 /* One coordinate of a pixel: exact, or on the line between the ends of its block. */
 static bool texel_ok(const struct texture_sample *s, const int32_t c[3], uint32_t texel,
                      bool by_blocks, int32_t x, int32_t y)
@@ -106,7 +121,8 @@ static bool texel_ok(const struct texture_sample *s, const int32_t c[3], uint32_
     const int32_t start = x & ~INT32_C(15);
     const int64_t from = texture_exact(s, c, start, y), to = texture_exact(s, c, start + 16, y);
 
-    return is_near(c, from + (to - from) * (x - start) / 16, 4 * bound + (15 << 12), texel);
+    return is_near(c, from + (to - from) * (x - start) / 16, 4 * bound + (15 << 12), texel) &&
+           line_is_near(s, from, to, texture_exact(s, c, x, y), x, y);
 }
 
 static void check_texels(const struct texture_sample *s, bool by_blocks)
