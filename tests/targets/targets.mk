@@ -26,9 +26,21 @@ TARGET_FLAGS := $(WARN) -ffreestanding -DTEST_DIVISOR=100 -O2 -g -ffunction-sect
 
 $(TARGET_DIR)/reference: $(call obj,tests/targets/reference.c tests/targets/scenes.c $(SPI_LCD)) \
     $(SIMLIB) $(LIB)
+	@mkdir -p $(@D)
 	$(Q)$(CC) $(OPT) $(EXTRA) $^ -o $@
 $(TARGET_DIR)/glass: $(call obj,tests/targets/glass.c) $(SIMLIB) $(LIB)
+	@mkdir -p $(@D)
 	$(Q)$(CC) $(OPT) $(EXTRA) $^ -o $@
+
+# The files of core that the scenes link, so that a board compiles no others for them.
+$(TARGET_DIR)/core.list: $(call obj,tests/targets/reference.c tests/targets/scenes.c $(SPI_LCD)) \
+    $(SIMLIB) $(LIB)
+	@mkdir -p $(@D)
+	$(Q)rm -f $(TARGET_DIR)/thin.a && $(AR) rcsT $(TARGET_DIR)/thin.a $(call obj,$(CORE) $(HAL))
+	$(Q)$(CC) $(OPT) $(EXTRA) $(filter %.o,$^) $(SIMLIB) $(TARGET_DIR)/thin.a \
+	    -Wl,-Map=$(TARGET_DIR)/thin.map -o $(TARGET_DIR)/thin
+	$(Q)sed -n 's|^[^ ]*/\(core/[a-z0-9_/]*\)\.o$$|\1.c|p' $(TARGET_DIR)/thin.map | sort -u >$@
+USED :=
 
 # The suites that need neither a C library nor the simulated panel, and what they are linked with.
 TARGET_UNIT := $(basename $(notdir $(shell grep -L \
@@ -49,11 +61,15 @@ $(TARGET_DIR)/$(1)/%.o: %.S
 $(TARGET_DIR)/$(1)/libetch.a: $$(patsubst %.c,$(TARGET_DIR)/$(1)/%.o,$(CORE) $(HAL))
 	@rm -f $$@
 	$(Q)$$($(1)_AR) rcs $$@ $$^
-$(TARGET_DIR)/$(1)/%.elf: tests/targets/firmware.c $$($(1)_OBJ) $(TARGET_DIR)/$(1)/libetch.a
+$(TARGET_DIR)/$(1)/used.a: $$(patsubst %.c,$(TARGET_DIR)/$(1)/%.o,$$(USED) $(HAL))
+	@rm -f $$@
+	$(Q)$$($(1)_AR) rcs $$@ $$^
+$(TARGET_DIR)/$(1)/%.elf: tests/targets/firmware.c $$($(1)_OBJ) $(TARGET_DIR)/$(1)/used.a
 	$(Q)$$($(1)_CC) $(TARGET_FLAGS) -DSCENE=$$* -DSTRIP=$$($(1)_STRIP) -DBUFFERS=$$($(1)_BUFFERS) \
 	    $$($(1)_LINK) -Wl,--gc-sections -Wl,--fatal-warnings $$^ $$($(1)_LIBS) -o $$@
-run-$(1): $(TARGET_DIR)/reference $(TARGET_DIR)/glass $(foreach n,0 1 2,$(TARGET_DIR)/$(1)/$(n).elf) \
-    ## the scenes on this board
+run-$(1): $(TARGET_DIR)/reference $(TARGET_DIR)/glass $(TARGET_DIR)/core.list
+	+$(Q)$(MAKE1) $(foreach n,0 1 2,$(TARGET_DIR)/$(1)/$(n).elf) \
+	    USED="$$$$(cat $(TARGET_DIR)/core.list)"
 	$(Q)BUILD=$(BUILD) sh tests/targets/compare.sh $(1) "$$($(1)_FRAME)" "$$($(1)_SHOW)" \
 	    $(TARGET_SCENES)
 $(TARGET_DIR)/$(1)/suites.c: $(TARGET_DIR)/$(1)/core/base/surface.o FORCE
