@@ -91,7 +91,7 @@ FORCE:
 
 # ---- tests ----------------------------------------------------------------------------------------
 
-TEST_STEPS  := unit stores golden cli readme
+TEST_STEPS  := unit stores golden cli readme features
 CHECK_STEPS := test test-clang test32 test-size sanitize uninit symbols includes lint
 
 .PHONY: test
@@ -128,6 +128,10 @@ cli: $(ETCH_SIM) ## the simulator's command line, errors included
 .PHONY: readme
 readme: $(LIB) ## the README's program, run against a panel
 	$(Q)BUILD=$(BUILD) CC="$(CC)" EXTRA="$(EXTRA)" RUN="$(RUN)" sh tests/readme/run
+
+.PHONY: features
+features: ## the tables of core/README.md name what there is
+	$(Q)sh tests/tools/features.sh
 
 .PHONY: test-clang test32 test-size
 test-clang: ## the tests with everything compiled by clang
