@@ -33,14 +33,15 @@
  *              covers. Set-up returns 0 or a negative enum etch_status. A caller's bug trips
  *              ETCH_ASSERT, which is empty unless the build defines it.
  *
- * Where to go on: base/surface.h (the memory), draw/shapes.h and raster/line.h (2D),
- * draw/triangle.h and draw/texture.h (shaded and textured triangles), draw/staged.h (blending,
- * stencil, fog: any state), draw/mesh.h (3D),
- * draw/retained.h (geometry kept over the strips of a frame), base/paint.h and
- * fragment/template.h (your own pixel work). Functions called .._small do the same in less flash
- * and more time; their headers, named likewise, are included by name. The loops in leaf/ replace
- * portable files of the same functions on one architecture, with the same pixels. DESIGN.md
- * beside this file says why things are as they are.
+ * Where to go on: base/surface.h (the memory), draw/shapes.h, draw/polygon.h and raster/line.h (2D),
+ * draw/triangle.h and draw/texture.h (shaded and textured triangles, the fast kernels),
+ * draw/staged.h and fragment/sampler.h (any state: stencil, fog, blending, any texture), draw/mesh.h,
+ * vertex/lamp.h and vertex/elements.h (3D), draw/retained.h (geometry kept over the strips of a
+ * frame), frame/multisample.h (anti-aliasing), base/paint.h, fragment/template.h and
+ * fragment/stage.h (your own pixel work). README.md beside this file lists every function.
+ * Functions called .._small do the same in less flash and more time; their headers, named
+ * likewise, are included by name. The loops in leaf/ replace portable files of the same functions
+ * on one architecture, with the same pixels. DESIGN.md says why things are as they are.
  */
 #ifndef ETCH_H
 #define ETCH_H
