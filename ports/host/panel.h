@@ -38,6 +38,7 @@ struct etch_panel_type {
     bool flips_columns, flips_rows; /* memory column 0 is at its right; row 0 at its bottom */
     bool bgr, inverts;              /* filters blue first; a 0 is white */
     bool only_rgb666;
+    bool has_c0; /* ST7789: command C0 exchanges bits of 36; its 20 as it is after a reset: none */
 };
 
 enum {
@@ -62,6 +63,7 @@ struct etch_panel {
     bool pulses;                /* the tearing-effect line is on */
     uint64_t ready_ns, wake_ns; /* before these no command, no waking up */
     uint8_t orient, mode, mux, format, brightness;
+    uint8_t lcm;           /* parameter of C0 */
     uint8_t offset, start; /* of lines, SSD0323; memory row of the first line, SSD1351 and 1306 */
     int command;           /* whose parameters arrive; -1: none yet */
     uint8_t parameter[ETCH_PANEL_PARAMETERS];

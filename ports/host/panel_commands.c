@@ -44,7 +44,7 @@ int etch_panel_parameters(const struct etch_panel *panel, uint8_t command)
     const struct command *c = tables[panel->type->family];
 
     if (panel->type->family == ETCH_PANEL_DCS && command > 0x5F) {
-        return -1; /* the makers' own */
+        return panel->type->has_c0 && command == 0xC0 ? 1 : -1; /* the makers' own */
     }
     if (panel->type->family == ETCH_PANEL_SSD1306 &&
         (command < 0x20 || (command >= 0x40 && command < 0x80) || (command & 0xF8) == 0xB0)) {
@@ -66,6 +66,7 @@ void etch_panel_initial(struct etch_panel *p)
     p->asleep = true;
     p->on = p->inverted = p->all_off = p->pumped = p->unlocked = false;
     p->orient = t->family == ETCH_PANEL_SSD1351 ? 0x40 : 0;
+    p->lcm = 0x2C;
     p->mode = 2; /* SSD1306: by pages; bit 3 is the direction of the lines */
     p->mux = (uint8_t)(t->memory_height < 256 ? t->memory_height - 1 : 255);
     p->format = 6;
@@ -124,6 +125,7 @@ static void execute_dcs(struct etch_panel *p)
         }
         break;
     case 0x51: p->brightness = v[0]; break;
+    case 0xC0: p->lcm = v[0]; break;
     default: break;
     }
 }

@@ -12,6 +12,7 @@ static const struct {
     {"st7789", &etch_st7789},
     {"st7789-240x240", &etch_st7789_240x240},
     {"st7789-135x240", &etch_st7789_135x240},
+    {"st7735-black", &etch_st7735_black},
     {"st7735-red", &etch_st7735_red},
     {"st7735-green", &etch_st7735_green},
     {"st7735-128x128", &etch_st7735_128x128},

@@ -5,24 +5,33 @@
 #include <string.h>
 
 /* name, family, glass, memory, first column and row, columns and rows from the far end, BGR,
- * inverting, RGB666 only */
+ * inverting, RGB666 only, exclusive-or in C0 */
 const struct etch_panel_type etch_panel_types[] = {
-    {"ili9341", ETCH_PANEL_DCS, 240, 320, 240, 320, 0, 0, true, false, true, false, false},
-    {"st7789", ETCH_PANEL_DCS, 240, 320, 240, 320, 0, 0, false, false, false, true, false},
-    {"st7789-240x240", ETCH_PANEL_DCS, 240, 240, 240, 320, 0, 0, false, false, false, true, false},
-    {"st7789-135x240", ETCH_PANEL_DCS, 135, 240, 240, 320, 52, 40, false, false, false, true,
+    {"ili9341", ETCH_PANEL_DCS, 240, 320, 240, 320, 0, 0, true, false, true, false, false, false},
+    {"st7789", ETCH_PANEL_DCS, 240, 320, 240, 320, 0, 0, false, false, false, true, false, true},
+    {"st7789-240x240", ETCH_PANEL_DCS, 240, 240, 240, 320, 0, 0, false, false, false, true, false,
+     true},
+    {"st7789-135x240", ETCH_PANEL_DCS, 135, 240, 240, 320, 52, 40, false, false, false, true, false,
+     true},
+    {"st7735-black", ETCH_PANEL_DCS, 128, 160, 128, 160, 0, 0, true, true, false, false, false,
      false},
-    {"st7735-red", ETCH_PANEL_DCS, 128, 160, 128, 160, 0, 0, true, true, false, false, false},
-    {"st7735-green", ETCH_PANEL_DCS, 128, 160, 132, 162, 2, 1, true, true, false, false, false},
-    {"st7735-128x128", ETCH_PANEL_DCS, 128, 128, 132, 132, 2, 1, true, true, true, false, false},
-    {"st7735-80x160", ETCH_PANEL_DCS, 80, 160, 132, 162, 26, 1, true, true, true, true, false},
-    {"gc9a01", ETCH_PANEL_DCS, 240, 240, 240, 240, 0, 0, false, false, true, true, false},
-    {"ili9488", ETCH_PANEL_DCS, 320, 480, 320, 480, 0, 0, true, false, true, false, true},
-    {"st7796", ETCH_PANEL_DCS, 320, 480, 320, 480, 0, 0, true, false, true, false, false},
-    {"ssd1351", ETCH_PANEL_SSD1351, 128, 128, 128, 128, 0, 0, false, false, true, false, false},
-    {"ssd1306", ETCH_PANEL_SSD1306, 128, 64, 128, 64, 0, 0, true, true, false, false, false},
-    {"ssd1306-128x32", ETCH_PANEL_SSD1306, 128, 32, 128, 64, 0, 0, true, true, false, false, false},
-    {"ssd0323", ETCH_PANEL_SSD0323, 128, 64, 128, 80, 0, 12, false, false, false, false, false},
+    {"st7735-red", ETCH_PANEL_DCS, 128, 160, 128, 160, 0, 0, true, true, true, false, false, false},
+    {"st7735-green", ETCH_PANEL_DCS, 128, 160, 132, 162, 2, 1, true, true, true, false, false,
+     false},
+    {"st7735-128x128", ETCH_PANEL_DCS, 128, 128, 132, 132, 2, 1, true, true, true, false, false,
+     false},
+    {"st7735-80x160", ETCH_PANEL_DCS, 80, 160, 132, 162, 26, 1, true, true, true, true, false,
+     false},
+    {"gc9a01", ETCH_PANEL_DCS, 240, 240, 240, 240, 0, 0, false, false, true, true, false, false},
+    {"ili9488", ETCH_PANEL_DCS, 320, 480, 320, 480, 0, 0, true, false, true, false, true, false},
+    {"st7796", ETCH_PANEL_DCS, 320, 480, 320, 480, 0, 0, true, false, true, false, false, false},
+    {"ssd1351", ETCH_PANEL_SSD1351, 128, 128, 128, 128, 0, 0, false, false, true, false, false,
+     false},
+    {"ssd1306", ETCH_PANEL_SSD1306, 128, 64, 128, 64, 0, 0, true, true, false, false, false, false},
+    {"ssd1306-128x32", ETCH_PANEL_SSD1306, 128, 32, 128, 64, 0, 0, true, true, false, false, false,
+     false},
+    {"ssd0323", ETCH_PANEL_SSD0323, 128, 64, 128, 80, 0, 12, false, false, false, false, false,
+     false},
     {0},
 };
 
@@ -68,7 +77,9 @@ static bool swaps_red_and_blue(const struct etch_panel *p)
     const uint8_t bit = p->type->family == ETCH_PANEL_DCS       ? 0x08
                         : p->type->family == ETCH_PANEL_SSD1351 ? 0x04
                                                                 : 0;
-    return ((p->orient & bit) != 0) != p->type->bgr;
+    const bool exchanged = p->type->has_c0 && (p->lcm & 0x20) == 0; /* the reset value has 20 set */
+
+    return (((p->orient & bit) != 0) != p->type->bgr) != exchanged;
 }
 
 uint32_t etch_panel_glass(const struct etch_panel *p, int x, int y)

@@ -41,7 +41,7 @@ int etch_lcd_sleep(struct etch_lcd *lcd, bool asleep)
     if (!lcd->hidden || !is_one(c)) {
         status = set(lcd, asleep ? c->sleep : c->wake, NULL);
     }
-    lcd->bus->delay(lcd->bus, asleep ? 5 : 120);
+    lcd->bus->delay(lcd->bus, 120);
     return status;
 }
 

@@ -13,7 +13,8 @@ extern const struct etch_lcd_panel etch_st7789_240x240; /* 1.3" and 1.54" */
 extern const struct etch_lcd_panel etch_st7789_135x240; /* 1.14" */
 
 /* st7735.c: named by the colour of the tab on the foil, as modules are sold. */
-extern const struct etch_lcd_panel etch_st7735_red;     /* 128 x 160, also "black" */
+extern const struct etch_lcd_panel etch_st7735_black;   /* 128 x 160 */
+extern const struct etch_lcd_panel etch_st7735_red;     /* 128 x 160, blue filter first */
 extern const struct etch_lcd_panel etch_st7735_green;   /* 128 x 160, two columns and a row off */
 extern const struct etch_lcd_panel etch_st7735_128x128; /* 1.44" */
 extern const struct etch_lcd_panel etch_st7735_80x160;  /* 0.96", IPS */

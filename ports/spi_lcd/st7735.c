@@ -31,6 +31,16 @@ static const uint8_t init[] = {
 /* Every command of the set, but brightness. */
 static const struct etch_lcd_controller st7735 = {ETCH_LCD_DCS};
 
+const struct etch_lcd_panel etch_st7735_black = {
+    .controller = &st7735,
+    .init = init,
+    .width = 128,
+    .height = 160,
+    .memory_width = 128,
+    .memory_height = 160,
+    .mount = ETCH_LCD_FLIP_COLUMNS | ETCH_LCD_FLIP_ROWS,
+};
+
 const struct etch_lcd_panel etch_st7735_red = {
     .controller = &st7735,
     .init = init,
@@ -39,6 +49,7 @@ const struct etch_lcd_panel etch_st7735_red = {
     .memory_width = 128,
     .memory_height = 160,
     .mount = ETCH_LCD_FLIP_COLUMNS | ETCH_LCD_FLIP_ROWS,
+    .bgr = true,
 };
 
 const struct etch_lcd_panel etch_st7735_green = {
@@ -51,6 +62,7 @@ const struct etch_lcd_panel etch_st7735_green = {
     .column = 2,
     .row = 1,
     .mount = ETCH_LCD_FLIP_COLUMNS | ETCH_LCD_FLIP_ROWS,
+    .bgr = true,
 };
 
 const struct etch_lcd_panel etch_st7735_128x128 = {

@@ -1,6 +1,6 @@
 /* ports/spi_lcd/st7789.c: ST7789, whose memory of 240 x 320 serves glasses of several sizes.
- * Tables for lcd.c. Values as TFT_eSPI sets them, most of them the reset values, on
- * which Adafruit's driver relies. */
+ * Tables for lcd.c. Values as TFT_eSPI sets them, most of them the reset values, on which Adafruit's
+ * driver relies; C0 is the reset value, so that command 36 means what it means there. */
 #include "panels.h"
 
 /* clang-format off */
@@ -12,7 +12,7 @@ static const uint8_t init[] = {
     5, 0xB2, 0x0C, 0x0C, 0x00, 0x33, 0x33, /* porches of 12 lines */
     1, 0xB7, 0x35,                         /* gate voltages */
     1, 0xBB, 0x28,                         /* VCOM 1.1 V */
-    1, 0xC0, 0x0C,                         /* bits of 36 that this controller exchanges: none */
+    1, 0xC0, 0x2C,                         /* reset value; without 20 red and blue change places */
     2, 0xC2, 0x01, 0xFF,                   /* VDV and VRH by command: */
     1, 0xC3, 0x10,                         /* VRH */
     1, 0xC4, 0x20,                         /* VDV 0 */

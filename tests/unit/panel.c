@@ -95,6 +95,33 @@ static void offsets_are_those_published(void)
     }
 }
 
+/* The orientation command in each rotation, the order of the colours included, as Adafruit's drivers
+ * and TFT_eSPI send it. */
+static void orientations_are_those_published(void)
+{
+    static const struct {
+        const char *name;
+        uint8_t value[4];
+    } known[] = {
+        {"ili9341", {0x48, 0x28, 0x88, 0xE8}},        {"ili9488", {0x48, 0x28, 0x88, 0xE8}},
+        {"st7789", {0x00, 0x60, 0xC0, 0xA0}},         {"st7789-240x240", {0x00, 0x60, 0xC0, 0xA0}},
+        {"st7789-135x240", {0x00, 0x60, 0xC0, 0xA0}}, {"st7735-black", {0xC0, 0xA0, 0x00, 0x60}},
+        {"st7735-red", {0xC8, 0xA8, 0x08, 0x68}},     {"st7735-green", {0xC8, 0xA8, 0x08, 0x68}},
+        {"st7735-128x128", {0xC8, 0xA8, 0x08, 0x68}}, {"st7735-80x160", {0xC8, 0xA8, 0x08, 0x68}},
+        {"gc9a01", {0x08, 0x68, 0xC8, 0xA8}},         {"ssd1351", {0x74, 0x77, 0x66, 0x65}},
+    };
+
+    for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
+        for (uint8_t turn = 0; turn < 4; turn++) {
+            if (!open_port(known[i].name, turn))
+                return;
+            if (!CHECK_EQ(port.panel.orient, known[i].value[turn]))
+                test_print(known[i].name);
+            etch_panel_port_close(&port);
+        }
+    }
+}
+
 /* Nobody sees the noise that the memory holds after power-up, nor does an opened panel show
  * anything but black. */
 static void a_panel_opens_black(void)
@@ -148,6 +175,7 @@ void suite_panel(void)
     RUN(every_panel_mirrors);
     RUN(a_panel_turns_while_it_runs);
     RUN(offsets_are_those_published);
+    RUN(orientations_are_those_published);
     RUN(a_panel_opens_black);
     RUN(dithering_keeps_the_mean);
 }

@@ -26,10 +26,11 @@ static void an_init_table_may_be_replaced(void)
 static void a_new_panel_is_one_table(void)
 {
     static const uint8_t init[] = {ETCH_LCD_DELAY, 0x11, 120, 1, 0x3A, 0x66, ETCH_LCD_END};
-    static const struct etch_panel_type types[] = {
-        {"st7789-172x320", ETCH_PANEL_DCS, 172, 320, 240, 320, 34, 0, false, false, false, true,
-         false},
-        {"ili9486", ETCH_PANEL_DCS, 320, 480, 320, 480, 0, 0, true, false, true, false, true}};
+    static const struct etch_panel_type types[] = {{"st7789-172x320", ETCH_PANEL_DCS, 172, 320, 240,
+                                                    320, 34, 0, false, false, false, true, false,
+                                                    false},
+                                                   {"ili9486", ETCH_PANEL_DCS, 320, 480, 320, 480,
+                                                    0, 0, true, false, true, false, true, false}};
     struct etch_lcd_panel own[2] = {etch_st7789, etch_ili9341};
 
     own[0].width = 172;

@@ -29,7 +29,6 @@ static void settings_work(void)
         CHECK_EQ(corner(), seen ^ 0xFFFFFF);
         CHECK_EQ(etch_lcd_sleep(&port.lcd, true), 0);
         CHECK(port.panel.asleep && corner() == 0);
-        etch_panel_elapse(&port.panel, 120000000);
         CHECK_EQ(etch_lcd_sleep(&port.lcd, false), 0);
         CHECK_EQ(corner(), seen ^ 0xFFFFFF);
         CHECK_EQ(etch_lcd_invert(&port.lcd, false), 0);
@@ -61,7 +60,6 @@ static void off_and_asleep_are_apart(void)
                 CHECK_EQ(etch_lcd_show(&port.lcd, on), 0);
             } else {
                 asleep = !asleep;
-                etch_panel_elapse(&port.panel, 120000000);
                 CHECK_EQ(etch_lcd_sleep(&port.lcd, asleep), 0);
             }
             CHECK_EQ(etch_panel_glass(&port.panel, 65, 20) != 0, on && !asleep);
@@ -106,7 +104,6 @@ static void a_panel_restarts_as_it_was(void)
             CHECK_EQ(port.panel.brightness,
                      !dims ? 0 : 100 >> etch_panel_driver(t->name)->controller->brightness_shift);
             CHECK_EQ(etch_lcd_invert(&port.lcd, false), 0);
-            etch_panel_elapse(&port.panel, 120000000);
             CHECK_EQ(etch_lcd_show(&port.lcd, true), 0);
             CHECK_EQ(etch_lcd_sleep(&port.lcd, false), 0);
             CHECK_EQ(panel_frame(&port, 2, 16, 2), 0);
