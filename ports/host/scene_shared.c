@@ -50,7 +50,11 @@ static void shared_pixels(struct etch_scene_run *run, const struct etch_scene_st
     struct etch_scene_run left = *run;
 
     left.stats = NULL;
-    left.surface.window.x0--;
+    left.surface.pixels++; /* memory that begins a cell further on */
+    if (left.surface.depth != NULL)
+        left.surface.depth++;
+    if (left.surface.stencil != NULL)
+        left.surface.stencil++;
     left.surface.window.x1--;
     left.surface.clip = etch_rect_intersect(left.surface.clip, left.surface.window);
     left.clip = etch_rect_intersect(left.clip, left.surface.window);
