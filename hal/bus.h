@@ -13,7 +13,7 @@
  * Errors: 0, or a negative number of the bus's choosing (ETCH_EIO if it has none of its own),
  * which reaches the caller of the frame loop unchanged. After any error no transfer runs; the
  * panel port calls end, and what it sends next begins with a command, which panels accept
- * wherever they were interrupted.
+ * wherever they were interrupted (those whose parameters are commands after a few without effect).
  */
 #ifndef ETCH_HAL_BUS_H
 #define ETCH_HAL_BUS_H

@@ -91,7 +91,7 @@ void etch_panel_reset(struct etch_panel *panel, bool active)
 /* The parameters of the last command are all there, and no pixel is half sent. */
 static void check_complete(struct etch_panel *panel)
 {
-    if (panel->count < panel->wanted) {
+    if (panel->count < panel->wanted && !panel->broken) {
         etch_panel_refuse(panel, "command %02X has %d parameters and got %d",
                           (unsigned)panel->command, panel->wanted, panel->count);
     }
@@ -110,12 +110,6 @@ void etch_panel_select(struct etch_panel *panel, bool selected)
     }
     panel->selected = selected;
     panel->transactions += selected;
-}
-
-void etch_panel_interrupt(struct etch_panel *panel)
-{
-    panel->wanted = panel->count < panel->wanted ? panel->count : panel->wanted;
-    panel->parts = 0;
 }
 
 static bool may_talk(struct etch_panel *panel, const char *what, unsigned byte)
@@ -140,13 +134,26 @@ static void take_parameter(struct etch_panel *panel, uint8_t byte)
     panel->count++;
     panel->parameters++;
     if (panel->count == panel->wanted) {
-        etch_panel_execute(panel);
+        if (!panel->broken) {
+            etch_panel_execute(panel);
+        }
+        panel->broken = false;
     }
 }
 
 static bool parameters_are_commands(const struct etch_panel *panel)
 {
     return panel->type->family == ETCH_PANEL_SSD1306 || panel->type->family == ETCH_PANEL_SSD0323;
+}
+
+/* Where parameters are commands, the controller goes on waiting for them. */
+void etch_panel_interrupt(struct etch_panel *panel)
+{
+    panel->parts = 0;
+    if (panel->count < panel->wanted) {
+        panel->broken = parameters_are_commands(panel);
+        panel->wanted = panel->broken ? panel->wanted : panel->count;
+    }
 }
 
 void etch_panel_command(struct etch_panel *panel, uint8_t byte)

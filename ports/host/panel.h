@@ -69,6 +69,7 @@ struct etch_panel {
     uint8_t parameter[ETCH_PANEL_PARAMETERS];
     int count, wanted; /* parameters that came, and must come; wanted < 0: any number */
     bool writes;       /* data are pixels */
+    bool broken;       /* some will not come */
     bool has_window;
     uint8_t part[3]; /* of a pixel */
     int parts;
@@ -98,7 +99,8 @@ void etch_panel_select(struct etch_panel *panel, bool selected);
 void etch_panel_command(struct etch_panel *panel, uint8_t byte); /* D/C low */
 void etch_panel_data(struct etch_panel *panel, uint8_t byte);    /* D/C high */
 
-/* The bus broke off: what is half sent is no error of the driver. */
+/* The bus broke off: what is half sent is no error of the driver. SSD1306 and SSD0323 take the next
+ * bytes for the parameters that are missing, which then have no effect. */
 void etch_panel_interrupt(struct etch_panel *panel);
 
 /* What is seen at (x, y) of the upright glass; and by a viewer who turned it by `turn` quarters

@@ -73,7 +73,7 @@ void etch_panel_initial(struct etch_panel *p)
     p->brightness = p->offset = p->start = 0;
     p->command = -1;
     p->count = p->wanted = p->parts = 0;
-    p->writes = p->has_window = false;
+    p->writes = p->has_window = p->broken = false;
     p->x0 = p->y0 = p->x1 = p->y1 = p->x = p->y = 0;
     p->room = 0;
     p->pulses = false;

@@ -18,7 +18,7 @@ static const uint8_t *next_parameters(struct etch_pieces *pieces, uint32_t *n)
     return *n != 0 ? p->bytes : NULL;
 }
 
-int etch_lcd_command(struct etch_lcd *lcd, uint8_t command, const uint8_t *parameters, uint8_t n)
+static int send_command(struct etch_lcd *lcd, uint8_t command, const uint8_t *parameters, uint8_t n)
 {
     struct parameters p = {{next_parameters}, parameters, n};
     const struct etch_bus *bus = lcd->bus;
@@ -32,6 +32,30 @@ int etch_lcd_command(struct etch_lcd *lcd, uint8_t command, const uint8_t *param
     }
     status = bus->data(bus, &p.pieces);
     return status < 0 ? status : bus->wait(bus);
+}
+
+/* A command that broke off leaves a controller whose parameters are commands waiting for them: it
+ * gets 8, as many as any command has, that do nothing if none are missing. */
+static int end_broken_command(struct etch_lcd *lcd)
+{
+    const uint8_t nop = lcd->panel->controller->nop;
+    const uint8_t nops[8] = {nop, nop, nop, nop, nop, nop, nop, nop};
+
+    return lcd->broken && nop != 0 ? lcd->bus->command(lcd->bus, nops, sizeof nops) : ETCH_OK;
+}
+
+int etch_lcd_command(struct etch_lcd *lcd, uint8_t command, const uint8_t *parameters, uint8_t n)
+{
+    int status = end_broken_command(lcd);
+
+    if (status >= 0) {
+        status = send_command(lcd, command, parameters, n);
+    }
+    lcd->broken = status < 0;
+    if (lcd->broken) {
+        lcd->window = (struct etch_rect){0, 0, 0, 0}; /* so that the next strip sends commands */
+    }
+    return status;
 }
 
 /* ---- where the frame is in memory ------------------------------------------------------------ */

@@ -53,7 +53,7 @@ struct etch_lcd_controller {
     uint8_t address_bytes;             /* of first and of last: 1 or 2 */
     uint8_t column_pixels, row_pixels; /* that one address counts: 2 x 1 for two in a byte */
 
-    bool parameters_are_commands; /* they go with D/C low */
+    bool parameters_are_commands; /* they go with D/C low; then `nop` is a command without effect */
     bool addresses_turn;          /* the orientation acts on addresses, not on the glass */
 
     /* Orientation: command `orient`, value base, with the bits below exchanged. */
@@ -62,7 +62,8 @@ struct etch_lcd_controller {
     /* Commands without parameters; brightness has one of a byte. 0: has none. */
     uint8_t sleep, wake, off, on, straight, inverted, brightness;
     uint8_t brightness_shift; /* to the right, of 0 .. 255 */
-    uint8_t tearing;          /* switches the tearing-effect line on; has a parameter of 0 */
+    uint8_t nop;
+    uint8_t tearing; /* switches the tearing-effect line on; has a parameter of 0 */
 
     /* Sends the orientation. Called within a transaction. */
     int (*turn)(struct etch_lcd *lcd);
@@ -135,6 +136,7 @@ struct etch_lcd {
     int16_t row_next;        /* the row that the panel fills next: window.y0 .. y1; */
     bool columns_next;       /* and what of it is set anew next: see lcd.c */
     bool sending;
+    bool broken;                           /* the last command failed */
     bool hidden, asleep, inverted, dimmed; /* as was asked for last, for etch_lcd_restart */
     uint8_t brightness;                    /* if dimmed */
     struct etch_lcd_pixels pixels;

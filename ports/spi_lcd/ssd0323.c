@@ -41,6 +41,7 @@ static const struct etch_lcd_controller ssd0323 = {
     .column_pixels = 2,
     .row_pixels = 1,
     .parameters_are_commands = true,
+    .nop = 0xE3,
     .orient = 0xA0,
     .base = 0x52, /* odd and even lines apart, scanned from the last; left pixel in the high bits */
     .flip_columns = 0x03,

@@ -58,6 +58,7 @@ static const struct etch_lcd_controller ssd1306 = {
     .column_pixels = 1,
     .row_pixels = 8,
     .parameters_are_commands = true,
+    .nop = 0xE3,
     .sleep = 0xAE,
     .wake = 0xAF,
     .off = 0xAE,
