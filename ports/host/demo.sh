@@ -42,6 +42,13 @@ frame teapots "$scenes/teapots.scene"
 frame teapots-strips "$scenes/teapots.scene" --strip 16
 same teapots teapots-strips
 
+# Effects: shadows and reflections by stencil, trees by the alpha test, and all of it together.
+for name in shadow penumbra mirror billboards museum; do
+    frame "$name" "$scenes/$name.scene"
+    frame "$name-strips" "$scenes/$name.scene" --strip 16
+    same "$name" "$name-strips"
+done
+
 # The turntable: the teapot's scene with other angles, in strips of 16 rows and at once.
 for angle in 0 45 90 135 180 225 270 315; do
     name=teapot-$(printf %03d $angle)

@@ -77,6 +77,7 @@ static bool read_pipeline(struct etch_scene_reader *reader, struct etch_scene_st
                           struct etch_scene_mesh *mesh)
 {
     const bool by_pixels = reader->state.shade == 2;
+    const int light = by_pixels ? 2 : etch_scene_mesh_has_lamps(&reader->view) ? 1 : 0;
 
     reader->phong = by_pixels ? &mesh->phong : NULL;
     step->pipeline = etch_scene_read_pipeline(reader);
@@ -84,9 +85,7 @@ static bool read_pipeline(struct etch_scene_reader *reader, struct etch_scene_st
     if (step->pipeline == NULL) {
         return false;
     }
-    step->statement = &statements[reader->state.tex != 0][by_pixels            ? 2
-                                                          : reader->view.lamps ? 1
-                                                                               : 0];
+    step->statement = &statements[reader->state.tex != 0][light];
     return step->pipeline->texture == NULL || step->pipeline->staged != NULL ||
            etch_scene_take_texture(reader, &mesh->texture);
 }

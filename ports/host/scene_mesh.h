@@ -34,6 +34,10 @@ struct etch_scene_mesh {
 /* Everything that does not depend on the strip: matrices, light, the vertices themselves. */
 bool etch_scene_mesh_prepare(struct etch_scene_reader *reader, struct etch_scene_mesh *mesh);
 
+/* Whether its light takes lamps and normals: without a light all that counts is the ambient one, and a
+ * model may be flat, as a shadow is. */
+bool etch_scene_mesh_has_lamps(const struct etch_scene_view *view);
+
 /* Hands the mesh's triangles to a sink. */
 void etch_scene_mesh_assemble(const struct etch_scene_mesh *mesh, struct etch_sink *sink);
 

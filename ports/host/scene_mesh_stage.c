@@ -86,6 +86,17 @@ static etch_shade_function *shade_of(const struct etch_scene_view *view)
                                      : etch_shade_phong;
 }
 
+bool etch_scene_mesh_has_lamps(const struct etch_scene_view *view)
+{
+    const struct etch_material *surface = &view->surface;
+    bool plain = true;
+
+    for (int k = 0; k < 3; k++) {
+        plain &= surface->ambient[k] == 255 && surface->emission[k] == 0;
+    }
+    return view->lamps && (view->light_count != 0 || !plain);
+}
+
 /* Sets mesh->stage.lit: the cheap light where it will do. */
 static bool set_light(struct etch_scene_reader *reader, struct etch_scene_mesh *mesh,
                       const struct etch_matrix *m)
@@ -93,7 +104,7 @@ static bool set_light(struct etch_scene_reader *reader, struct etch_scene_mesh *
     struct etch_mesh_shaded_stage *lit = &mesh->stage.lit;
     const struct etch_scene_view *view = &reader->view;
 
-    if (!view->lamps && reader->state.shade != 2) {
+    if (!etch_scene_mesh_has_lamps(view) && reader->state.shade != 2) {
         if (!aim_lights(reader, mesh)) {
             return false;
         }

@@ -90,11 +90,14 @@ void etch_scene_pass_texture(struct etch_scene_run *run, const struct etch_scene
                              const struct etch_texture *texture)
 {
     const struct etch_scene_pass *const pass = run->pass;
-    struct etch_texture_vertex placed[3] = {*v[0], *v[1], *v[2]};
-    const struct etch_texture_vertex *const corners[3] = {&placed[0], &placed[1], &placed[2]};
+    struct etch_shade_vertex placed[3];
+    const struct etch_texture_vertex *const corners[3] = {&placed[0].at, &placed[1].at,
+                                                          &placed[2].at};
 
+    etch_scene_vertices_take(placed, v,
+                             pipeline->staged != NULL && pipeline->staged->phong != NULL);
     for (int i = 0; i < 3; i++) {
-        place(run, &placed[i].at);
+        place(run, &placed[i].at.at);
     }
     run->pass = NULL;
     etch_scene_paint_texture(run, pipeline, corners, texture);

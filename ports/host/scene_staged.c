@@ -5,10 +5,19 @@
 
 #include <string.h>
 
+void etch_scene_vertices_take(struct etch_shade_vertex out[3],
+                              const struct etch_texture_vertex *const v[3], bool with_normals)
+{
+    for (int i = 0; i < 3; i++) {
+        memcpy(&out[i], v[i], with_normals ? sizeof *out : sizeof *v[i]);
+    }
+}
+
 void etch_scene_staged_draw(struct etch_scene_run *run, struct etch_scene_staged *staged,
                             const struct etch_vertex *const v[3])
 {
     struct etch_texture_vertex leveled[3];
+    struct etch_shade_vertex whole[3];
     const struct etch_vertex *corners[3] = {v[0], v[1], v[2]};
     struct etch_phong_planes planes;
     const struct etch_pipeline pipeline = {staged->varyings, staged->stages[run->scene->format],
@@ -21,8 +30,10 @@ void etch_scene_staged_draw(struct etch_scene_run *run, struct etch_scene_staged
                                                            (const void *)v[2]};
 
         etch_scene_sample_triangle(&staged->sampling, &staged->sampler, leveled, wide);
+        etch_scene_vertices_take(whole, wide, staged->phong != NULL);
         for (int i = 0; i < 3; i++) {
-            corners[i] = &leveled[i].at;
+            whole[i].at = leveled[i];
+            corners[i] = &whole[i].at.at;
         }
     }
     etch_triangle_staged(&run->surface, corners, &pipeline, &planes.staged);

@@ -2,6 +2,7 @@
 #ifndef ETCH_HOST_SCENE_STAGED_H
 #define ETCH_HOST_SCENE_STAGED_H
 
+#include "../../core/draw/mesh_shaded.h"
 #include "../../core/draw/staged.h"
 #include "../../core/fragment/blend.h"
 #include "../../core/fragment/fog.h"
@@ -46,5 +47,9 @@ void etch_scene_staged_draw(struct etch_scene_run *run, struct etch_scene_staged
 
 /* Fills in data, varyings and stages from state, differs and sampling. */
 void etch_scene_staged_build(struct etch_scene_staged *staged);
+
+/* Copies vertices to change them; those of a mesh under `state shade phong` have normals. */
+void etch_scene_vertices_take(struct etch_shade_vertex out[3],
+                              const struct etch_texture_vertex *const v[3], bool with_normals);
 
 #endif

@@ -9,6 +9,7 @@
  *      scene_texture.c   texture
  *      scene_triangles.c tri ctri
  *      scene_view.c      camera perspective parallel canonical model
+ *                        (model shadow in scene_shadow.c)
  *      scene_light.c     ambient light attenuation material
  *      scene_elements.c  list vertex index endlist
  *      scene_answers.c   select feedback
@@ -181,6 +182,9 @@ bool etch_scene_take(struct etch_scene_reader *reader, const char *name);
  * stays the scene's, which keeps a list of its files; *name is the name as it was given. NULL,
  * with an error set, without a name or memory. */
 const char *etch_scene_path(struct etch_scene_reader *reader, const char **name);
+
+/* Reads the rest of `model shadow`: the matrix that flattens a model to its shadow on a plane. */
+bool etch_scene_read_shadow(struct etch_scene_reader *reader, struct etch_matrix *m);
 
 /* The model-to-clip matrix of the view; false, with an error set, if it has none. */
 bool etch_scene_model_to_clip(struct etch_scene_reader *reader, struct etch_matrix *m);

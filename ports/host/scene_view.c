@@ -108,13 +108,26 @@ static bool read_scale(struct etch_scene_reader *reader, struct etch_matrix *m)
     return true;
 }
 
-/* identity | translate .. | rotate .. | scale ..: applied after those before it */
+/* sixteen numbers, row by row */
+static bool read_matrix(struct etch_scene_reader *reader, struct etch_matrix *m)
+{
+    for (int i = 0; i < 16; i++) {
+        if (!etch_text_q16(&reader->text, "entry", &m->m[i / 4][i % 4])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* identity | translate .. | rotate .. | scale .. | matrix .. | shadow ..: applied after those before
+ * it */
 static bool read_model(struct etch_scene_reader *reader,
                        const struct etch_scene_statement *statement)
 {
-    static const char *const words[] = {"identity", "translate", "rotate", "scale", NULL};
+    static const char *const words[] = {"identity", "translate", "rotate", "scale",
+                                        "matrix",   "shadow",    NULL};
     static bool (*const read[])(struct etch_scene_reader *, struct etch_matrix *) = {
-        NULL, read_translate, read_rotate, read_scale};
+        NULL, read_translate, read_rotate, read_scale, read_matrix, etch_scene_read_shadow};
     struct etch_matrix *model = &reader->view.model;
     struct etch_matrix m;
     int index;
