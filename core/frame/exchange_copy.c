@@ -1,6 +1,7 @@
 /* frame/exchange_copy.c: one image to another. Called by applications. See exchange.h. */
 #include "exchange_rows.h"
 
+/* NOLINTNEXTLINE(readability-non-const-parameter): the type of an exchange_pixel */
 static void copy(uint16_t *to, uint16_t *from)
 {
     *to = *from;

@@ -2,6 +2,7 @@
  * exchange.h. */
 #include "exchange_rows.h"
 
+/* NOLINTNEXTLINE(readability-non-const-parameter): the type of an exchange_pixel */
 static void combine(uint16_t *to, uint16_t *from)
 {
     *to = (uint16_t)(*to ^ *from);
