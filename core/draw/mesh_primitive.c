@@ -6,11 +6,9 @@ static void take(struct etch_element_sink *sink, const uint16_t *index)
 {
     const struct etch_mesh_primitive *const p = (const void *)sink;
     struct etch_clip_vertex v[3];
-    uint8_t i = 0;
 
-    do
+    for (uint8_t i = 0; i < 3 && i < p->size; i++)
         p->stage->vertex(p->stage, index[i], &v[i]);
-    while (++i < p->size);
     p->function(p, v);
 }
 
