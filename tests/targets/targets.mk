@@ -89,6 +89,7 @@ unit-$(1): $(TARGET_DIR)/$(1)/unit.elf
 endef
 $(foreach b,$(BOARDS),$(eval $(call board,$(b))))
 
+CHECK_STEPS += test-targets
 .PHONY: test-targets
 test-targets: ## every board under emulation
 	$(call steps,targets,$(addprefix run-,$(BOARDS)) \
