@@ -166,7 +166,8 @@ $(SIZE)/%.elf: $(SIZE)/$(BENCH_SRC)/size/%.o $(SIZE)/libetch.a linker/size.ld
 -include $(BENCH_LIB:%.c=$(SIZE)/%.d) $(SIZE_PROGRAMS:%=$(SIZE)/$(BENCH_SRC)/size/%.d)
 
 .PHONY: size
-size: $(SIZE_ELFS) ## flash of small programs against their budgets (SIZE_OPTIONS=--symbols)
+size: $(SIZE_ELFS) ## flash of small programs, and that they link nothing unused (SIZE_OPTIONS=--symbols)
+	@python3 $(BENCH_SRC)/links.py $(BENCH_SRC)/size/links.txt $^
 	@python3 $(BENCH_SRC)/size.py $(BENCH_SRC)/size/budgets.csv $(SIZE_OPTIONS) \
 	    --enforce "$(SIZE_ENFORCE)" -- $^
 
