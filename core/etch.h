@@ -46,6 +46,7 @@
 #ifndef ETCH_H
 #define ETCH_H
 
+#include "base/cover.h"
 #include "base/fixed.h"
 #include "base/paint.h"
 #include "base/rect.h"
@@ -80,6 +81,7 @@
 #include "fragment/blend.h"
 #include "fragment/blend_fused.h"
 #include "fragment/blend_template.h"
+#include "fragment/cover.h"
 #include "fragment/flat.h"
 #include "fragment/fog.h"
 #include "fragment/gouraud.h"
@@ -116,11 +118,13 @@
 #include "raster/line_clip.h"
 #include "raster/line_dda.h"
 #include "raster/line_runs.h"
+#include "raster/outline.h"
 #include "raster/plane.h"
 #include "raster/point_runs.h"
 #include "raster/polygon.h"
 #include "raster/quadric.h"
 #include "raster/rect.h"
+#include "raster/smooth.h"
 #include "raster/triangle.h"
 #include "raster/triangulate.h"
 #include "raster/weights.h"
