@@ -48,6 +48,7 @@
 
 #include "base/cover.h"
 #include "base/fixed.h"
+#include "base/font.h"
 #include "base/paint.h"
 #include "base/rect.h"
 #include "base/rgb565.h"
@@ -57,6 +58,7 @@
 #include "base/texture.h"
 #include "base/trig.h"
 #include "base/unit.h"
+#include "base/utf8.h"
 #include "base/weights.h"
 #include "draw/line.h"
 #include "draw/blend.h"
@@ -75,6 +77,7 @@
 #include "draw/select.h"
 #include "draw/shapes.h"
 #include "draw/staged.h"
+#include "draw/text.h"
 #include "draw/texture.h"
 #include "draw/triangle.h"
 #include "fragment/barycentric.h"
