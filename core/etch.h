@@ -128,6 +128,7 @@
 #include "raster/quadric.h"
 #include "raster/rect.h"
 #include "raster/smooth.h"
+#include "raster/stroke.h"
 #include "raster/triangle.h"
 #include "raster/triangulate.h"
 #include "raster/weights.h"
