@@ -96,19 +96,20 @@ static void exponential_fog_keeps_its_bound(void)
     }
 }
 
-/* f = 1 leaves every colour, f = 0 makes every colour the fog's, bit for bit. */
+/* f = 1 leaves every colour, f = 0 makes every colour the fog's, bit for bit: also where the slope,
+ * cut to 2^31 / 50000, does not reach 1. */
 static void ends_are_exact(void)
 {
     struct etch_fog_linear fog;
     uint32_t v;
 
-    CHECK_EQ(etch_fog_linear_init(&fog, 100, 200, 10, 20, 250), 0);
+    CHECK_EQ(etch_fog_linear_init(&fog, 100, 50100, 10, 20, 250), 0);
     chunk.n = 2;
     for (v = 0; v <= 64512; v++) {
         chunk.g[0] = chunk.g[1] = (uint16_t)v;
         chunk.r[0] = chunk.r[1] = chunk.b[0] = chunk.b[1] = (uint16_t)(v < 63488 ? v : 63488);
         chunk.z[0] = 100;
-        chunk.z[1] = 200;
+        chunk.z[1] = 50100;
         etch_stage_fog_linear(&chunk, &fog);
         if (chunk.g[0] != v || chunk.g[1] != fog.color[1] || chunk.r[1] != fog.color[0] ||
             chunk.b[1] != fog.color[2] || chunk.r[0] != (v < 63488 ? v : 63488))
