@@ -50,16 +50,33 @@ enum {
 #define DMA_START (UINT32_C(1) | UINT32_C(1) << 4 | UINT32_C(16) << 15)
 #define DMA_BUSY (UINT32_C(1) << 24)
 
-static struct etch_transfer transfer;
-static volatile uint8_t number;
-static uint32_t began_us;
+static int start_dma(void *context, uint8_t piece, const uint8_t *bytes, uint32_t n);
+
+static struct etch_transfer transfer = {.start = start_dma};
+static volatile uint8_t number; /* of the piece that runs */
+static volatile uint32_t began_us;
+
+/* One piece. In the thread, or in the interrupt of the piece before. */
+static int start_dma(void *context, uint8_t piece, const uint8_t *bytes, uint32_t n)
+{
+    (void)context;
+    number = piece;
+    began_us = TIMER_US;
+    DMA_READ = (uint32_t)(uintptr_t)bytes;
+    DMA_WRITE = (uint32_t)(uintptr_t)&SPI_DR;
+    DMA_COUNT = n;
+    __asm__ volatile("dsb" ::: "memory");
+    DMA_CTRL_TRIG = DMA_START;
+    return 0;
+}
 
 void rp2040_dma_interrupt(void);
 
 void rp2040_dma_interrupt(void)
 {
     DMA_INTS0 = 1;
-    (void)etch_transfer_done(&transfer, number, 0);
+    if ((DMA_CTRL_TRIG & DMA_BUSY) == 0)
+        (void)etch_transfer_done(&transfer, number, 0);
 }
 
 /* Behind the core's sixteen vectors: DMA's first interrupt is number 11. */
@@ -109,17 +126,11 @@ static int command(const struct etch_bus *bus, const uint8_t *bytes, uint16_t n)
     return 0;
 }
 
-static int data(const struct etch_bus *bus, const uint8_t *bytes, uint32_t n)
+static int data(const struct etch_bus *bus, struct etch_pieces *pieces)
 {
     (void)bus;
     pin_set(PIN_DATA, true);
-    number = etch_transfer_start(&transfer);
-    began_us = TIMER_US;
-    DMA_READ = (uint32_t)(uintptr_t)bytes;
-    DMA_WRITE = (uint32_t)(uintptr_t)&SPI_DR;
-    DMA_COUNT = n;
-    DMA_CTRL_TRIG = DMA_START;
-    return 0;
+    return etch_transfer_start(&transfer, pieces);
 }
 
 /* Sleeps until an interrupt; the return from one counts as an event, so none is missed. */

@@ -173,7 +173,7 @@ static void lines_are_clipped_and_projected(void)
         CHECK_EQ(a.n, (out[0] & ETCH_OUT_CLIP) == 0);
         points += a.n;
     }
-    CHECK(lines > 100 && points > 100);
+    CHECK(lines > TEST_COUNT(100) && points > TEST_COUNT(100));
 }
 
 /* ---- meshes ------------------------------------------------------------------------------------ */

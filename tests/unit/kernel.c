@@ -99,10 +99,10 @@ static void seed_depths(const struct test_canvas *from, uint32_t seed)
             const uint32_t bits = test_random(&seed);
             const int32_t moved = d + (int32_t)(bits % 3) - 1;
 
-            canvas.surface.depth[at] = (uint16_t)(bits & 64            ? (int32_t)(bits >> 16)
-                                                  : moved < 0          ? 0
-                                                  : moved > UINT16_MAX ? UINT16_MAX
-                                                                       : moved);
+            canvas.surface.depth[at] = (uint16_t)(bits & 64       ? (int32_t)(bits >> 16)
+                                                  : moved < 0     ? 0
+                                                  : moved > 65535 ? 65535
+                                                                  : moved);
         }
     }
 }
