@@ -23,11 +23,11 @@ struct etch_ring_node {
 /* Takes a triangle: three indices into the list of vertices, wound as the outer contour is. */
 typedef void etch_triangulate_function(void *context, const uint16_t vertex[3]);
 
-/* Cuts the polygon v[0] .. v[n - 1] into at most n - 2 triangles; corners that are straight make
- * none. Vertices within -2^23 .. 2^23, no edge crosses or touches another but at the vertex they
- * share, winding as it may be. `node` has room for n. Fewer than 3 vertices make no triangle.
- * ETCH_EINVAL where no ear is left, as may be with polygons that are not simple: triangles made
- * until then have been handed over. n^2 steps; no recursion. */
+/* Cuts the polygon v[0] .. v[n - 1] into at most n - 2 triangles, none without area; straight
+ * corners are corners of triangles too. Vertices within -2^23 .. 2^23, no edge crosses or touches
+ * another but at the vertex they share, winding as it may be. `node` has room for n. Fewer than 3
+ * vertices make no triangle. ETCH_EINVAL where no ear is left, as may be with polygons that are not
+ * simple: triangles made until then have been handed over. n^2 steps; no recursion. */
 enum etch_status etch_triangulate(const struct etch_point_q8 *v, uint16_t n,
                                   struct etch_ring_node *node, etch_triangulate_function *triangle,
                                   void *context);

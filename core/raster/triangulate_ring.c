@@ -55,17 +55,22 @@ static bool is_in(struct etch_point_q8 p, struct etch_point_q8 a, struct etch_po
     return ring_turn(a, b, p) >= 0 && ring_turn(b, c, p) >= 0 && ring_turn(c, a, p) >= 0;
 }
 
-/* A corner without area is one too: to cut it off takes nothing away. */
+static int64_t turn_at(const struct etch_ring *ring, uint16_t at)
+{
+    const struct etch_ring_node *const node = &ring->node[at];
+
+    return ring_turn(ring_at(ring, node->previous), ring_at(ring, at), ring_at(ring, node->next));
+}
+
 static bool is_ear(const struct etch_ring *ring, uint16_t at)
 {
     const struct etch_ring_node *const node = ring->node;
     const uint16_t before = node[at].previous, after = node[at].next;
     const struct etch_point_q8 a = ring_at(ring, before), b = ring_at(ring, at);
     const struct etch_point_q8 c = ring_at(ring, after);
-    const int64_t turn = ring_turn(a, b, c);
 
-    if (turn <= 0)
-        return turn == 0;
+    if (turn_at(ring, at) <= 0)
+        return false;
     for (uint16_t i = node[after].next; i != before; i = node[i].next)
         if (is_in(ring_at(ring, i), a, b, c))
             return false;
@@ -84,6 +89,10 @@ static void cut(struct etch_ring *ring, uint16_t at)
     node[after].is_ear = is_ear(ring, after);
 }
 
+/* A straight corner stays until it is part of an ear: without it the edge past it would go through
+ * the end of a bridge that may be there. So it is in triangulations, and there is always an ear.
+ * Where there is none the polygon has no area left or is not simple, and a corner without area goes
+ * for nothing. */
 enum etch_status etch_ring_cut(struct etch_ring *ring, uint16_t at, uint16_t n,
                                etch_triangulate_function *triangle, void *context)
 {
@@ -91,18 +100,16 @@ enum etch_status etch_ring_cut(struct etch_ring *ring, uint16_t at, uint16_t n,
 
     for (uint16_t i = 0; i < n; i++, at = node[at].next)
         node[at].is_ear = is_ear(ring, at);
-    for (uint16_t looked = 0; n >= 3; at = node[at].next) {
-        const uint16_t before = node[at].previous, after = node[at].next;
-
-        if (!node[at].is_ear) {
-            if (++looked == n)
-                return ETCH_EINVAL;
-            continue;
-        }
-        if (ring_turn(ring_at(ring, before), ring_at(ring, at), ring_at(ring, after)) != 0) {
-            const uint16_t corner[3] = {node[before].vertex, node[at].vertex, node[after].vertex};
+    for (uint32_t looked = 0; n >= 3; at = node[at].next) {
+        if (node[at].is_ear) {
+            const uint16_t corner[3] = {node[node[at].previous].vertex, node[at].vertex,
+                                        node[node[at].next].vertex};
 
             triangle(context, corner);
+        } else if (looked < n || turn_at(ring, at) != 0) {
+            if (++looked == 2 * (uint32_t)n)
+                return ETCH_EINVAL;
+            continue;
         }
         cut(ring, at);
         looked = 0;

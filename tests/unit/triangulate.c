@@ -199,6 +199,21 @@ static void holes_in_line_are_left_out(void)
     compare(size, 5);
 }
 
+/* Two holes whose sides lie on one line with the bridge between them: straight corners that an edge
+ * past them would block. */
+static void bridges_may_go_on_along_sides(void)
+{
+    static const uint16_t size[] = {6, 3, 3};
+    static const struct etch_point_q8 v[] = {{1293, 4439}, {4096, 640}, {9900, 10},   {4096, 4736},
+                                             {6144, 4736}, {0, 6784},   {7936, 1152}, {8192, 896},
+                                             {7680, 896},  {8704, 640}, {8704, 384},  {8448, 640}};
+
+    open();
+    for (uint8_t i = 0; i < 12; i++)
+        points[i] = v[i];
+    compare(size, 3);
+}
+
 static void count(void *context, const uint16_t v[3])
 {
     (void)v;
@@ -261,6 +276,7 @@ void suite_triangulate(void)
     RUN(spirals_are_their_triangles);
     RUN(holes_are_left_out);
     RUN(holes_in_line_are_left_out);
+    RUN(bridges_may_go_on_along_sides);
     RUN(anything_ends);
     RUN(small_and_wrong_input);
     test_print_count("", triangles, " triangles, no pixel of their polygons twice or left out");
