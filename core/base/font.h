@@ -57,8 +57,8 @@ struct etch_font {
     uint8_t line;            /* from one baseline to the next */
 };
 
-/* The glyph of a code point, else the replacement. A binary search over the ranges: 25 instructions
- * on ARMv6-M and 12 a halving. */
+/* The glyph of a code point, else the replacement. On ARMv6-M 15 instructions in the first range,
+ * else a binary search: 40, and 12 a halving. */
 uint16_t etch_font_find(const struct etch_font *font, uint32_t code);
 
 /* Kerning by a binary search in font->pairs. Fonts with kerning name it, and so link it. */

@@ -1,7 +1,7 @@
 /* draw/glyph_solid.c: 1-bit glyphs in one colour. Called for each glyph of a line. See text.h. */
 #include "text_columns.h"
 
-/* Two instructions a pixel, three where there is ink (ARMv6-M, gcc 12), four pixels at once where
+/* Three instructions a pixel, four where there is ink (ARMv6-M, gcc 12), four pixels at once where
  * there is none: W14. */
 static void ink(const struct etch_glyph_column *c, const struct etch_text_style *style)
 {
@@ -10,8 +10,9 @@ static void ink(const struct etch_glyph_column *c, const struct etch_text_style 
     const uint32_t mask = c->mask, pitch = c->pitch;
     const uint16_t color = style->color;
     uintptr_t at = c->at;
+    uint32_t rows = c->rows;
 
-    for (uint32_t rows = c->rows; rows != 0; rows--) {
+    do {
         uint16_t *const p = (uint16_t *)at; /* written where the mask is, inside the clip */
         const uint32_t b = *bits & mask;
 
@@ -37,7 +38,8 @@ static void ink(const struct etch_glyph_column *c, const struct etch_text_style 
         }
         bits += pitch;
         at = etch_wrap_address_add(at, step);
-    }
+
+    } while (--rows != 0);
 }
 
 void etch_glyph_solid(const struct etch_surface *s, const struct etch_text_style *style,

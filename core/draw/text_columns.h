@@ -36,7 +36,7 @@ ETCH_INLINE void etch_glyph_columns(const struct etch_surface *s,
     struct etch_glyph_column c = {
         .bits = box->bits + down,
         .at = etch_wrap_address_add(etch_surface_row(s, s->pixels, (int16_t)p.y0),
-                                    (uintptr_t)(intptr_t)x * 2),
+                                    (uintptr_t)(intptr_t)(x * 2)),
         .step = (uintptr_t)s->stride * 2,
         .rows = (uint32_t)(p.y1 - p.y0),
         .pitch = pitch,

@@ -24,10 +24,12 @@ ETCH_INLINE int32_t etch_pen_hold(int32_t at)
 bool etch_pen_next(struct etch_pen *pen, const struct etch_font *font, const char **text,
                    const char *end);
 
-/* Goes behind the latest glyph. */
+/* Goes behind the latest glyph; an advance is not negative. */
 ETCH_INLINE void etch_pen_pass(struct etch_pen *pen)
 {
-    pen->at = etch_pen_hold(pen->at + pen->glyph->advance);
+    const int32_t at = pen->at + pen->glyph->advance;
+
+    pen->at = at < ETCH_PEN_LIMIT ? at : ETCH_PEN_LIMIT;
 }
 
 /* Its bitmap about the baseline y. */

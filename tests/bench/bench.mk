@@ -5,7 +5,7 @@
 # host's is checked against the slow oracle of check.c, the firmware's must equal the host's.
 # W="6 8" chooses workloads, CORES="m0plus m4 host" where they run.
 
-W       ?= 1 2 3 4 5 6 7 8 9 10 11 12 13 15
+W       ?= 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15
 CORES   ?= m0plus m4 host
 VARIANT ?= portable
 PROFILE ?= function

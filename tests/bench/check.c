@@ -78,6 +78,8 @@ static bool expect(int workload, uint8_t frame)
         check_2d(&c, workload);
     else if (workload == WL_BIG_TEX || workload == WL_BIG_TEXP_Z)
         check_textures(&c);
+    else if (workload == WL_TEXT)
+        check_text(&c);
     else
         check_triangles(&c, workload);
     return true;

@@ -47,6 +47,9 @@ void check_triangles(struct check *c, int workload);
 /* Texture: W12 and W13. Without depth fills in `expected` and `matched`. */
 void check_textures(struct check *c);
 
+/* W14: text. */
+void check_text(struct check *c);
+
 /* W15: false, and says why, if the vertex stage puts a triangle elsewhere; as above otherwise. */
 bool check_torus(struct check *c, uint8_t frame);
 

@@ -36,7 +36,7 @@ def units_of(n, truth):
         return {"frame": truth["frames"], "prim": prim}
     if n in (10, 11, 13):
         return {"tested_px": px, "prim": prim}
-    if n in (3, 6, 8):
+    if n in (3, 6, 8, 14):
         return {"prim": prim, "px": px}
     return {"px": px, "prim": prim}
 
