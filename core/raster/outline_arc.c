@@ -5,7 +5,7 @@
 static void forwards(struct outline_pen *pen, struct etch_point_q8 c, int32_t r, uint32_t a,
                      uint32_t sweep)
 {
-    const uint32_t one = 65536 / etch_outline_chords(r), end = a + sweep;
+    const uint32_t one = UINT32_C(65536) / etch_outline_chords(r), end = a + sweep;
 
     outline_to(pen, outline_at(c, r, r, (uint16_t)(a & 65535)));
     for (uint32_t at = (a / one + 1) * one; at < end; at += one)
@@ -16,7 +16,7 @@ static void forwards(struct outline_pen *pen, struct etch_point_q8 c, int32_t r,
 static void backwards(struct outline_pen *pen, struct etch_point_q8 c, int32_t r, uint32_t a,
                       uint32_t sweep)
 {
-    const uint32_t one = 65536 / etch_outline_chords(r), end = a + sweep;
+    const uint32_t one = UINT32_C(65536) / etch_outline_chords(r), end = a + sweep;
 
     outline_to(pen, outline_at(c, r, r, (uint16_t)(end & 65535)));
     for (uint32_t at = (end - 1) / one * one; at > a; at -= one)
