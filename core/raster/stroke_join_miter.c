@@ -9,8 +9,7 @@ void etch_join_miter(const struct etch_outline *o, struct etch_point_q8 p, struc
                      struct etch_point_q8 out, const struct etch_stroke *stroke)
 {
     const int64_t h = stroke->width_q8 / 2;
-    const int64_t both = h * h + etch_mul_s32(in.x, out.x) +
-                         etch_mul_s32(in.y, out.y); /* < 2^30 */
+    const int64_t both = h * h + etch_mul_s32(in.x, out.x) + etch_mul_s32(in.y, out.y); /* < 2^30 */
     const int64_t limit = (int64_t)stroke->miter_q8 * stroke->miter_q8;
     const int32_t s = etch_mul_s32(in.x, out.y) < etch_mul_s32(in.y, out.x) ? 1 : -1;
 

@@ -14,7 +14,12 @@ static uint16_t size_depth[320 * 240] __attribute__((unused));
 #define SIZE_SURFACE(depth_plane)                                                                  \
     {                                                                                              \
         .pixels = size_pixels, .depth = (depth_plane), .stride = 320, .window = {0, 0, 320, 240},  \
-        .clip = {0, 0, 320, 240}                                                                   \
+        .clip = {                                                                                  \
+            0,                                                                                     \
+            0,                                                                                     \
+            320,                                                                                   \
+            240                                                                                    \
+        }                                                                                          \
     }
 
 #endif
