@@ -23,8 +23,9 @@ ETCH_INLINE struct etch_rect supersample_area(const struct etch_surface *large,
                                               const struct etch_surface *out, const uint8_t n)
 {
     const struct etch_rect w = large->window;
-    const struct etch_rect held = {(int16_t)((w.x0 + n - 1) / n), (int16_t)((w.y0 + n - 1) / n),
-                                   (int16_t)(w.x1 / n), (int16_t)(w.y1 / n)};
+    const struct etch_rect held = {(int16_t)(((int32_t)w.x0 + n - 1) / n),
+                                   (int16_t)(((int32_t)w.y0 + n - 1) / n), (int16_t)(w.x1 / n),
+                                   (int16_t)(w.y1 / n)};
 
     return etch_rect_intersect(held, out->clip);
 }

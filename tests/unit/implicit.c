@@ -209,6 +209,22 @@ static void coefficients_reach_their_ranges(void)
     }
 }
 
+/* Parabolas that reach zero, or go below it, at one pixel, wherever that is among the 16 that are
+ * scanned at a time. */
+static void conics_that_touch_zero_at_a_pixel(void)
+{
+    test_canvas_open(&canvas, (struct etch_rect){0, 0, 64, 2});
+    for (int32_t x = 0; x < 64; x++) {
+        const struct etch_quadric gap = {-1, 0, 0, 2 * x, 0, -x * x}; /* -(X - x)^2 */
+        const struct etch_quadric dot = {1, 0, 0, -2 * x, 0, x * x - 1};
+
+        test_canvas_wipe(&canvas);
+        compare_quadric(&gap);
+        test_canvas_wipe(&canvas);
+        compare_quadric(&dot);
+    }
+}
+
 static void an_ellipse_and_a_hyperbola(void)
 {
     static const struct etch_quadric ellipse = {4, 0, 16, -48, -128, 272}; /* round (6, 4) */
@@ -244,6 +260,7 @@ void suite_implicit(void)
     RUN(slopes_save_values);
     RUN(covers_conics_of_every_kind);
     RUN(coefficients_reach_their_ranges);
+    RUN(conics_that_touch_zero_at_a_pixel);
     RUN(an_ellipse_and_a_hyperbola);
     test_print_count("", quadrics, " quadrics, no differing pixel");
 }

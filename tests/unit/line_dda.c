@@ -108,6 +108,31 @@ static void ends_are_drawn(void)
     }
 }
 
+/* A slope of 16 bits is exact where the line is 2^k + 1 pixels long: Bresenham's pixels, ties too. */
+static void exact_slopes_are_bresenhams(void)
+{
+    static const struct etch_rect window = {0, 0, 33, 33};
+
+    test_canvas_open(&canvas, window);
+    for (int32_t length = 1; length <= 16; length *= 2) {
+        for (int32_t aside = -length; aside <= length && !test_failed(); aside++) {
+            const bool steep = aside % 2 != 0;
+            const int32_t x0 = steep && aside < 0 ? -aside : 0;
+            const int32_t x1 = x0 + (steep ? aside : length), y1 = 16 + (steep ? length : aside);
+            int32_t wrong = 0;
+
+            etch_line_draw_dda(&canvas.surface, (int16_t)x0, 16, (int16_t)x1, (int16_t)y1,
+                               TEST_INK);
+            for (int32_t y = 0; y < 33; y++)
+                for (int32_t x = 0; x < 33; x++)
+                    wrong += test_canvas_drawn(&canvas, x, y) !=
+                             oracle_line_covers(x0, 16, x1, y1, x, y);
+            CHECK_EQ(wrong, 0);
+            test_canvas_wipe(&canvas);
+        }
+    }
+}
+
 /* Clipping never moves a pixel: each clipped line is the whole one masked. */
 static void clips_only_mask(void)
 {
@@ -140,5 +165,6 @@ void suite_line_dda(void)
 {
     RUN(error_is_stated);
     RUN(ends_are_drawn);
+    RUN(exact_slopes_are_bresenhams);
     RUN(clips_only_mask);
 }
