@@ -4,9 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../../core/draw/feedback.h"
-#include "../../core/draw/select.h"
 #include "../../core/fragment/flat.h"
+#include "scene_answers.h"
 #include "scene_elements.h"
 #include "scene_mesh.h"
 
@@ -65,13 +64,30 @@ static void ignore_point(struct etch_sink *sink, const struct etch_vertex *v)
     (void)sink, (void)v;
 }
 
-/* x y: which object is nearest there */
+const char *etch_scene_name_objects(const struct etch_scene *scene, struct etch_name_sink *names,
+                                    const uint16_t *wanted)
+{
+    const char *kind = "nothing";
+
+    names->sink.line = ignore_line;
+    names->sink.point = ignore_point;
+    for (size_t i = 0, n = 0; i < scene->count && n < UINT16_MAX; i++) {
+        names->name = (uint16_t)(n + 1);
+        n += assemble(scene, &scene->step[i], &names->sink);
+        if (wanted != NULL && *wanted == n && n == names->name) {
+            kind = scene->step[i].statement->name;
+        }
+    }
+    return kind;
+}
+
+/* x y [r g b]: which object is nearest there, said or shown */
 static bool read_select(struct etch_scene_reader *reader,
                         const struct etch_scene_statement *statement)
 {
     const struct etch_scene *scene = reader->scene;
     struct etch_select select;
-    const char *kind = "nothing";
+    const char *kind;
     int64_t x, y;
 
     (void)statement;
@@ -79,16 +95,11 @@ static bool read_select(struct etch_scene_reader *reader,
         !etch_text_integer(&reader->text, "y", 0, scene->height - 1, &y)) {
         return false;
     }
-    (void)etch_select_init(&select, (int16_t)x, (int16_t)y, etch_kernel_flat_less);
-    select.names.sink.line = ignore_line;
-    select.names.sink.point = ignore_point;
-    for (size_t i = 0, n = 0; i < scene->count && n < UINT16_MAX; i++) {
-        select.names.name = (uint16_t)(n + 1);
-        n += assemble(scene, &scene->step[i], &select.names.sink);
-        if (select.name == n && n == select.names.name) {
-            kind = scene->step[i].statement->name;
-        }
+    if (etch_text_more(&reader->text)) {
+        return etch_scene_read_selected(reader, (int16_t)x, (int16_t)y);
     }
+    (void)etch_select_init(&select, (int16_t)x, (int16_t)y, etch_kernel_flat_less);
+    kind = etch_scene_name_objects(scene, &select.names, &select.name);
     (void)printf("select %d %d: %d %s\n", (int)x, (int)y, (int)select.name, kind);
     return true;
 }
@@ -109,13 +120,22 @@ static void print_primitive(const struct etch_feedback_primitive *p)
     (void)printf("\n");
 }
 
-/* The primitives of the object before: counted first, then kept and printed. */
+static void print_primitives(const struct etch_feedback *f)
+{
+    for (uint32_t i = 0; i < f->count; i++) {
+        print_primitive(&f->primitive[i]);
+    }
+}
+
+/* [r g b  r g b]: the primitives of the object before, counted first, then kept and printed, or
+ * drawn. */
 static bool read_feedback(struct etch_scene_reader *reader,
                           const struct etch_scene_statement *statement)
 {
     const struct etch_scene *scene = reader->scene;
     struct etch_feedback_primitive *primitive;
     struct etch_feedback f;
+    bool ok = true;
 
     (void)statement;
     etch_feedback_init(&f, NULL, 0);
@@ -129,11 +149,13 @@ static bool read_feedback(struct etch_scene_reader *reader,
     }
     etch_feedback_init(&f, primitive, f.count);
     (void)assemble(scene, &scene->step[scene->count - 1], &f.sink);
-    for (uint32_t i = 0; i < f.count; i++) {
-        print_primitive(&primitive[i]);
+    if (etch_text_more(&reader->text)) {
+        ok = etch_scene_read_fed_back(reader, &f);
+    } else {
+        print_primitives(&f);
     }
     free(primitive);
-    return true;
+    return ok;
 }
 
 const struct etch_scene_statement etch_scene_answer_statements[] = {

@@ -8,6 +8,7 @@
 #include "../../core/draw/mesh_elements.h"
 #include "../../core/draw/point.h"
 #include "scene_lines.h"
+#include "scene_primitive.h"
 
 enum {
     MOST_VERTICES = 256,
@@ -27,7 +28,8 @@ struct elements {
     struct etch_assembly assembly;
     etch_element_kind *kind;
     etch_element_taker *taker;
-    uint16_t size_q8; /* of points */
+    struct etch_scene_primitive_choice primitive; /* of triangles */
+    uint16_t size_q8;                             /* of points */
     uint32_t index_count;
     uint16_t index[MOST_INDICES];
     struct vertex vertex[MOST_VERTICES];
@@ -36,35 +38,51 @@ struct elements {
 
 static etch_scene_draw_function draw_points, draw_lines, draw_triangles;
 
+#define PRIMITIVE "etch_mesh_primitive_init "
 #define LINES "etch_mesh_transform etch_mesh_take_line etch_line_gouraud "
 #define TRIANGLES "etch_mesh_transform etch_mesh_take_triangle "
 static const struct kind {
     etch_element_kind *kind;
     etch_element_taker *taker;
-    struct etch_scene_statement statement; /* of the step */
+    struct etch_scene_statement statement; /* of the step; below with shrink, wireframe */
+    struct etch_scene_statement by_primitive[2];
 } kinds[MOST_KINDS] = {
     {etch_elements_points,
      etch_mesh_take_point,
      {"list", NULL, draw_points,
-      "etch_mesh_transform etch_mesh_take_point etch_point_paint etch_elements_points", NULL}},
+      "etch_mesh_transform etch_mesh_take_point etch_point_paint etch_elements_points", NULL},
+     {{NULL, NULL, NULL, NULL, NULL}, {NULL, NULL, NULL, NULL, NULL}}},
     {etch_elements_lines,
      etch_mesh_take_line,
-     {"list", NULL, draw_lines, LINES "etch_elements_lines", NULL}},
+     {"list", NULL, draw_lines, LINES "etch_elements_lines", NULL},
+     {{NULL, NULL, NULL, NULL, NULL}, {NULL, NULL, NULL, NULL, NULL}}},
     {etch_elements_line_strip,
      etch_mesh_take_line,
-     {"list", NULL, draw_lines, LINES "etch_elements_line_strip", NULL}},
+     {"list", NULL, draw_lines, LINES "etch_elements_line_strip", NULL},
+     {{NULL, NULL, NULL, NULL, NULL}, {NULL, NULL, NULL, NULL, NULL}}},
     {etch_elements_line_loop,
      etch_mesh_take_line,
-     {"list", NULL, draw_lines, LINES "etch_elements_line_loop", NULL}},
+     {"list", NULL, draw_lines, LINES "etch_elements_line_loop", NULL},
+     {{NULL, NULL, NULL, NULL, NULL}, {NULL, NULL, NULL, NULL, NULL}}},
     {etch_elements_triangles,
      etch_mesh_take_triangle,
-     {"list", NULL, draw_triangles, TRIANGLES "etch_elements_triangles", NULL}},
+     {"list", NULL, draw_triangles, TRIANGLES "etch_elements_triangles", NULL},
+     {{"list", NULL, draw_triangles, PRIMITIVE "etch_assemble_triangle etch_elements_triangles",
+       NULL},
+      {"list", NULL, draw_lines, PRIMITIVE "etch_assemble_line etch_elements_triangles", NULL}}},
     {etch_elements_triangle_strip,
      etch_mesh_take_triangle,
-     {"list", NULL, draw_triangles, TRIANGLES "etch_elements_triangle_strip", NULL}},
+     {"list", NULL, draw_triangles, TRIANGLES "etch_elements_triangle_strip", NULL},
+     {{"list", NULL, draw_triangles,
+       PRIMITIVE "etch_assemble_triangle etch_elements_triangle_strip", NULL},
+      {"list", NULL, draw_lines, PRIMITIVE "etch_assemble_line etch_elements_triangle_strip",
+       NULL}}},
     {etch_elements_triangle_fan,
      etch_mesh_take_triangle,
-     {"list", NULL, draw_triangles, TRIANGLES "etch_elements_triangle_fan", NULL}},
+     {"list", NULL, draw_triangles, TRIANGLES "etch_elements_triangle_fan", NULL},
+     {{"list", NULL, draw_triangles, PRIMITIVE "etch_assemble_triangle etch_elements_triangle_fan",
+       NULL},
+      {"list", NULL, draw_lines, PRIMITIVE "etch_assemble_line etch_elements_triangle_fan", NULL}}},
 };
 
 /* ---- reading --------------------------------------------------------------------------------- */
@@ -105,7 +123,10 @@ static bool read_size(struct etch_scene_reader *reader, struct elements *e)
 static bool read_pipeline(struct etch_scene_reader *reader, struct etch_scene_step *step,
                           bool triangles)
 {
-    if (!triangles) {
+    if (reader->primitive.kind != 0 && !triangles) {
+        return etch_text_fail(&reader->text, "\"primitive\" is for triangles");
+    }
+    if (!triangles || reader->primitive.kind == ETCH_SCENE_WIREFRAME) {
         return etch_scene_lines_pipeline(reader, step);
     }
     if (reader->state.tex != 0) {
@@ -139,7 +160,9 @@ static bool read_list(struct etch_scene_reader *reader,
         return false;
     }
     step->of.data = e;
-    step->statement = &kinds[kind].statement;
+    e->primitive = reader->primitive;
+    step->statement = e->primitive.kind != 0 ? &kinds[kind].by_primitive[e->primitive.kind - 1]
+                                             : &kinds[kind].statement;
     e->kind = kinds[kind].kind;
     e->taker = kinds[kind].taker;
     e->stage.mesh = &e->mesh;
@@ -231,6 +254,13 @@ void etch_scene_elements_assemble(const struct etch_scene_step *step, struct etc
     struct etch_mesh_elements to;
 
     assembly.sink = sink;
+    if (e->primitive.kind != 0) {
+        struct etch_scene_primitive primitive;
+
+        etch_scene_primitive_init(&primitive, &e->primitive, &e->stage, &assembly);
+        e->kind(&list, &primitive.primitive.sink);
+        return;
+    }
     etch_mesh_elements_init(&to, e->taker, &e->stage, &assembly, e->buffer);
     e->kind(&list, &to.sink);
 }
@@ -250,14 +280,6 @@ static void paint_point(struct etch_sink *sink, const struct etch_vertex *v)
                      etch_scene_kernel(s->run, s->step->pipeline));
 }
 
-static void paint_line(struct etch_sink *sink, const struct etch_vertex *const v[2])
-{
-    const struct sink *s = (const void *)sink;
-    const struct etch_vertex ends[2] = {*v[0], *v[1]};
-
-    etch_scene_lines_paint(s->run, s->step, ends);
-}
-
 static void draw_points(struct etch_scene_run *run, const struct etch_scene_step *step)
 {
     struct sink sink = {{.point = paint_point}, run, step};
@@ -267,8 +289,9 @@ static void draw_points(struct etch_scene_run *run, const struct etch_scene_step
 
 static void draw_lines(struct etch_scene_run *run, const struct etch_scene_step *step)
 {
-    struct sink sink = {{.line = paint_line}, run, step};
+    struct etch_scene_line_sink sink;
 
+    etch_scene_line_sink_init(&sink, run, step);
     etch_scene_elements_assemble(step, &sink.sink);
 }
 
@@ -285,5 +308,6 @@ const struct etch_scene_statement etch_scene_elements_statements[] = {
     {"vertex", read_vertex, NULL, NULL, NULL},
     {"index", read_index, NULL, NULL, NULL},
     {"endlist", read_end, NULL, NULL, NULL},
+    {"primitive", etch_scene_read_primitive, NULL, NULL, NULL},
     {NULL, NULL, NULL, NULL, NULL},
 };

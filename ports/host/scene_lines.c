@@ -39,6 +39,22 @@ void etch_scene_lines_paint(struct etch_scene_run *run, const struct etch_scene_
         &run->surface, ends, etch_scene_kernel(run, step->pipeline));
 }
 
+static void take_line(struct etch_sink *sink, const struct etch_vertex *const v[2])
+{
+    const struct etch_scene_line_sink *lines = (const void *)sink;
+    const struct etch_vertex ends[2] = {*v[0], *v[1]};
+
+    etch_scene_lines_paint(lines->run, lines->step, ends);
+}
+
+void etch_scene_line_sink_init(struct etch_scene_line_sink *lines, struct etch_scene_run *run,
+                               const struct etch_scene_step *step)
+{
+    lines->sink = (struct etch_sink){.line = take_line};
+    lines->run = run;
+    lines->step = step;
+}
+
 etch_kernel *etch_scene_flat(struct etch_scene_run *run)
 {
     run->kernel = etch_kernel_flat;

@@ -13,6 +13,15 @@ bool etch_scene_lines_pipeline(struct etch_scene_reader *reader, struct etch_sce
 void etch_scene_lines_paint(struct etch_scene_run *run, const struct etch_scene_step *step,
                             const struct etch_vertex v[2]);
 
+/* A sink that paints the lines of a step. */
+struct etch_scene_line_sink {
+    struct etch_sink sink; /* first */
+    struct etch_scene_run *run;
+    const struct etch_scene_step *step;
+};
+void etch_scene_line_sink_init(struct etch_scene_line_sink *lines, struct etch_scene_run *run,
+                               const struct etch_scene_step *step);
+
 /* The kernel of fragment/flat.h, behind the counting one if there are stats. */
 etch_kernel *etch_scene_flat(struct etch_scene_run *run);
 

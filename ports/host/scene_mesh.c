@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "array.h"
+#include "scene_lines.h"
 
 /* An empty mesh that the scene owns. */
 static struct etch_scene_mesh *new_mesh(struct etch_scene_reader *reader)
@@ -60,6 +61,14 @@ static void draw_mesh(struct etch_scene_run *run, const struct etch_scene_step *
                              run->collect != NULL ? run->collect : &sink.raster.sink);
 }
 
+static void draw_wires(struct etch_scene_run *run, const struct etch_scene_step *step)
+{
+    struct etch_scene_line_sink sink;
+
+    etch_scene_line_sink_init(&sink, run, step);
+    etch_scene_mesh_assemble(step->of.mesh, &sink.sink);
+}
+
 /* How a mesh is drawn, by [textured][lit, lamps, phong]. */
 #define TRANSFORM "etch_mesh_transform etch_mesh_assemble "
 #define VARYING "etch_mesh_transform_varying etch_mesh_assemble_varying "
@@ -72,6 +81,31 @@ static const struct etch_scene_statement statements[2][3] = {
      {"mesh", NULL, draw_wide, VARYING "etch_vertex_textured etch_vertex_normal", NULL}},
 };
 
+/* With a primitive function, by [shrink, wireframe][lit, lamps]. */
+#define PRIMITIVE "etch_mesh_primitive_init etch_mesh_primitive_triangles "
+static const struct etch_scene_statement by_primitive[2][2] = {
+    {{"mesh", NULL, draw_mesh, PRIMITIVE "etch_assemble_triangle etch_vertex_lit", NULL},
+     {"mesh", NULL, draw_mesh, PRIMITIVE "etch_assemble_triangle etch_vertex_shaded", NULL}},
+    {{"mesh", NULL, draw_wires, PRIMITIVE "etch_assemble_line etch_vertex_lit", NULL},
+     {"mesh", NULL, draw_wires, PRIMITIVE "etch_assemble_line etch_vertex_shaded", NULL}},
+};
+
+static bool read_primitive_pipeline(struct etch_scene_reader *reader, struct etch_scene_step *step)
+{
+    const uint8_t kind = reader->primitive.kind;
+
+    if (reader->state.tex != 0 || reader->state.shade == 2) {
+        return etch_text_fail(&reader->text, "\"primitive\" hands on colours: no \"state tex\", no "
+                                             "\"state shade phong\"");
+    }
+    step->statement = &by_primitive[kind - 1][reader->view.lamps];
+    if (kind == ETCH_SCENE_WIREFRAME) {
+        return etch_scene_lines_pipeline(reader, step);
+    }
+    step->pipeline = etch_scene_read_pipeline(reader);
+    return step->pipeline != NULL;
+}
+
 /* The pipeline for the state, which shades by pixels with this mesh's lights. */
 static bool read_pipeline(struct etch_scene_reader *reader, struct etch_scene_step *step,
                           struct etch_scene_mesh *mesh)
@@ -79,6 +113,10 @@ static bool read_pipeline(struct etch_scene_reader *reader, struct etch_scene_st
     const bool by_pixels = reader->state.shade == 2;
     const int light = by_pixels ? 2 : etch_scene_mesh_has_lamps(&reader->view) ? 1 : 0;
 
+    mesh->primitive = reader->primitive;
+    if (mesh->primitive.kind != 0) {
+        return read_primitive_pipeline(reader, step);
+    }
     reader->phong = by_pixels ? &mesh->phong : NULL;
     step->pipeline = etch_scene_read_pipeline(reader);
     reader->phong = NULL;

@@ -26,6 +26,7 @@ struct etch_scene_mesh {
     const struct etch_mesh_stage *drawn; /* one of the two in `stage` */
     struct etch_texture texture;         /* that a fused kernel reads */
     struct etch_assembly assembly;
+    struct etch_scene_primitive_choice primitive;
     uint8_t varyings; /* 0: the buffer holds etch_mesh_vertex; 2: etch_mesh_texture_vertex; 8:
                          etch_mesh_shade_vertex */
     void *buffer;     /* of transformed vertices, from malloc */

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "scene_mesh.h"
+#include "scene_primitive.h"
 
 /* Model units of the mesh to those of the file, which differ by 2^(bits - scale). */
 static bool add_file_units(struct etch_scene_reader *reader, const struct etch_obj *obj)
@@ -193,7 +194,8 @@ bool etch_scene_mesh_prepare(struct etch_scene_reader *reader, struct etch_scene
     (void)etch_viewport_init(&mesh->assembly.viewport, frame);
     mesh->drawn = &mesh->stage.lit.stage;
     mesh->varyings = reader->state.shade == 2 ? 8 : reader->state.tex != 0 ? 2 : 0;
-    return (reader->state.tex == 0 || set_texture(reader, mesh)) && transform(reader, mesh);
+    return (reader->state.tex == 0 || set_texture(reader, mesh)) &&
+           (mesh->primitive.kind != 0 || transform(reader, mesh));
 }
 
 void etch_scene_mesh_assemble(const struct etch_scene_mesh *mesh, struct etch_sink *sink)
@@ -201,7 +203,12 @@ void etch_scene_mesh_assemble(const struct etch_scene_mesh *mesh, struct etch_si
     struct etch_assembly assembly = mesh->assembly;
 
     assembly.sink = sink;
-    if (mesh->varyings == 0) {
+    if (mesh->primitive.kind != 0) {
+        struct etch_scene_primitive primitive;
+
+        etch_scene_primitive_init(&primitive, &mesh->primitive, mesh->drawn, &assembly);
+        etch_mesh_primitive_triangles(&primitive.primitive);
+    } else if (mesh->varyings == 0) {
         etch_mesh_assemble(mesh->drawn, &assembly, mesh->buffer);
     } else {
         etch_mesh_assemble_varying(mesh->drawn, &assembly, mesh->buffer, mesh->varyings);

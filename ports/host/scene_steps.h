@@ -12,7 +12,7 @@
  *      scene_view.c      camera perspective parallel canonical model
  *                        (model shadow in scene_shadow.c)
  *      scene_light.c     ambient light attenuation material
- *      scene_elements.c  list vertex index endlist
+ *      scene_elements.c  list vertex index endlist primitive
  *      scene_answers.c   select feedback
  *      scene_lines.c     cline wideline cpoint
  *      scene_lines_2d.c  ddaline halfspace gradient
@@ -101,6 +101,16 @@ struct etch_scene_view {
     struct etch_material surface;
 };
 
+/* The primitive function of the meshes and lists that follow; see scene_primitive.h. */
+enum {
+    ETCH_SCENE_NO_PRIMITIVE,
+    ETCH_SCENE_SHRINK,
+    ETCH_SCENE_WIREFRAME
+};
+struct etch_scene_primitive_choice {
+    uint8_t kind, percent;
+};
+
 /* A scene while it is read. */
 struct etch_scene_reader {
     struct etch_scene *scene;
@@ -108,6 +118,7 @@ struct etch_scene_reader {
     int frac;
     struct etch_scene_state state;
     struct etch_scene_view view;
+    struct etch_scene_primitive_choice primitive;
     struct etch_scene_texture *texture; /* the latest, or NULL */
     struct etch_scene_sorted *sorted;   /* the block that is open, or NULL */
     struct etch_scene_staged *staged;   /* the latest pipeline of stages, or NULL */
