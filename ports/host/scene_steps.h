@@ -14,6 +14,7 @@
  *      scene_light.c     ambient light attenuation material
  *      scene_elements.c  list vertex index endlist primitive
  *      scene_answers.c   select feedback
+ *      scene_text.c      font text textbox
  *      scene_lines.c     cline wideline cpoint
  *      scene_lines_2d.c  ddaline halfspace gradient
  *      scene_lines_clip.c  clipline clippolygon cvline cvtri
@@ -34,6 +35,7 @@
 #include "scene_texture.h"
 
 struct elements;
+struct etch_font;
 struct etch_scene_step;
 struct etch_scene_pass;
 
@@ -123,6 +125,7 @@ struct etch_scene_reader {
     struct etch_scene_sorted *sorted;   /* the block that is open, or NULL */
     struct etch_scene_staged *staged;   /* the latest pipeline of stages, or NULL */
     const struct etch_phong *phong;     /* of the mesh in hand, else NULL */
+    const struct etch_font *font;       /* the latest, or NULL; of text */
     struct elements *elements;          /* the list between list and endlist, else NULL */
 };
 
@@ -156,6 +159,7 @@ extern const struct etch_scene_statement etch_scene_view_statements[];
 extern const struct etch_scene_statement etch_scene_light_statements[];
 extern const struct etch_scene_statement etch_scene_elements_statements[];
 extern const struct etch_scene_statement etch_scene_answer_statements[];
+extern const struct etch_scene_statement etch_scene_text_statements[];
 extern const struct etch_scene_statement etch_scene_mesh_statements[];
 extern const struct etch_scene_statement etch_scene_polygon_statements[];
 extern const struct etch_scene_statement etch_scene_path_statements[];

@@ -1,0 +1,21 @@
+# tests/cli: fonts, texts and boxes. Sourced by run.
+
+scene '2: font: "times" is unknown' 'scene 8 8\nfont times\n'
+scene '2: font is missing' 'scene 8 8\nfont\n'
+scene '2: y is missing' 'scene 8 8\ntext 1\n'
+scene '2: text: must be in quotes' 'scene 8 8\ntext 1 2\n'
+scene '2: text: must be in quotes' 'scene 8 8\ntext 1 2 abc 1 2 3\n'
+scene '2: text: the closing quote is missing' 'scene 8 8\ntext 1 2 "abc 1 2 3\n'
+scene '2: text: the closing quote is missing' 'scene 8 8\ntext 1 2 "abc'
+scene '2: text: a backslash stands before' 'scene 8 8\ntext 1 2 "a\\tc" 1 2 3\n'
+scene '2: text: a backslash stands before' 'scene 8 8\ntext 1 2 "\\xg0" 1 2 3\n'
+scene '2: r is missing' 'scene 8 8\ntext 1 2 "#"\n'
+scene '2: b: "256" is not' 'scene 8 8\ntext 1 2 "#" 1 2 256 # 3\n'
+scene '2: align: "middle" is unknown' 'scene 8 8\ntext 1 2 "a" 1 2 3 align middle\n'
+scene '2: turn: "4" is not' 'scene 8 8\ntext 1 2 "a" 1 2 3 turn 4\n'
+scene '2: only one of align, turn and back' 'scene 8 8\ntext 1 2 "a" 1 2 3 turn 1 align right\n'
+scene '3: back needs a font of 1 bit' 'scene 8 8\nfont sans_12\ntext 1 2 "a" 1 2 3 back 1 2 3\n'
+scene '2: h is missing' 'scene 8 8\ntextbox 1 2 3\n'
+scene '2: unexpected "turn"' 'scene 8 8\ntextbox 1 2 3 4 "a" 1 2 3 turn 1\n'
+draws 'a text with a # in it, black over a dash' 'scene 3 3\nfont fixed_5x8\ntext 0 3 "-" 255 0 0 # "\ntext 0 2 "#" 0 0 0 # x\n' \
+    '00f8000000f8000000000000000000000000'
