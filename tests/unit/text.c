@@ -25,8 +25,7 @@ static const char *const texts[] = {"AVA.",
                                     "To\xC3\xA9|",
                                     "\xE2\x86\x90\xE2\x96\xB2",
                                     "17.5%",
-                                    "\xFF"
-                                    "jg_",
+                                    "\xFF jg_",
                                     "W",
                                     "@ \xC3"};
 enum {
