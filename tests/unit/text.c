@@ -21,13 +21,8 @@ static const struct etch_text_style styles[] = {
     {&etch_font_sans_12, etch_glyph_blend4_swapped, 0x8412, 0},
     {&etch_font_digits_40, etch_glyph_blend4, 0xFFFF, 0},
 };
-static const char *const texts[] = {"AVA.",
-                                    "To\xC3\xA9|",
-                                    "\xE2\x86\x90\xE2\x96\xB2",
-                                    "17.5%",
-                                    "\xFF jg_",
-                                    "W",
-                                    "@ \xC3"};
+static const char *const texts[] = {
+    "AVA.", "To\xC3\xA9|", "\xE2\x86\x90\xE2\x96\xB2", "17.5%", "\xFF jg_", "W", "@ \xC3"};
 enum {
     STYLES = sizeof styles / sizeof styles[0],
     TEXTS = sizeof texts / sizeof texts[0]
