@@ -4,6 +4,7 @@
  * One reciprocal serves the three quotients. It is a little too small, so each quotient is at
  * most one too small, and its remainder, exact in modular 32-bit arithmetic, says which. From
  * w = 16384.0 on remainders do not fit and the 64-bit divide does the same. */
+#include "reciprocal.h"
 #include "viewport.h"
 
 /* ---- one reciprocal -------------------------------------------------------------------------- */
@@ -21,7 +22,7 @@ static struct divisor divisor(uint32_t w)
 {
     struct divisor d = {w, 0, etch_leading_zeros(w)};
     const uint32_t top = w << d.shift;
-    const uint32_t guess = UINT32_MAX / ((top >> 16) + 1);
+    const uint32_t guess = etch_reciprocal((top >> 16) + 1);
     /* 2^44 e = 2^44 - guess W / 16, which is below 2^30, so modulo 2^32 will do */
     const uint32_t error = etch_wrap_sub(0, etch_wrap_mul(guess, (top >> 4) + 1));
 

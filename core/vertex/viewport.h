@@ -42,9 +42,8 @@ enum {
 uint8_t etch_viewport_outcode(const struct etch_viewport *v, const struct etch_clip_vertex *in);
 
 /* Projects a vertex whose outcode has no bit of ETCH_OUT_CLIP (then w > 0 and the result fits);
- * copies the colour. About 460 instructions on ARMv6-M (bench W15), 126 of them a 32-bit
- * divide, and another divide for each of x and y beyond w; from w = 16384.0 on three 64-bit
- * divides instead. */
+ * copies the colour. About 360 instructions on ARMv6-M (bench W15), and a 32-bit divide for
+ * each of x and y beyond w; from w = 16384.0 on three 64-bit divides instead. */
 void etch_viewport_project(const struct etch_viewport *v, const struct etch_clip_vertex *in,
                            struct etch_vertex *out);
 

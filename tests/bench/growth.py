@@ -27,7 +27,7 @@ SERIES = [
 ]
 STRIPS = (4, 5, 6, 7)
 # At most this of the whole frame in strips of 16 rows. 1.30 is wanted of the first; see README.md.
-STRIP_BOUND = {6: 1.33, 7: 1.15}
+STRIP_BOUND = {6: 1.34, 7: 1.15}
 # A cost may grow this much more than its cause: noise of shapes and of loops' remainders.
 SLACK = 1.03
 

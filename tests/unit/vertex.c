@@ -1,5 +1,6 @@
 /* tests/unit: model space to clip space to the frame, and culling, against their definitions. */
 #include "core/vertex/cull.h"
+#include "core/vertex/reciprocal.h"
 #include "core/vertex/viewport.h"
 #include "tests/harness/harness.h"
 #include "tests/oracle/wide.h"
@@ -299,12 +300,25 @@ static void winding_is_exact(void)
     }
 }
 
+/* Both forms, for every divisor. */
+static void first_reciprocals_are_quotients(void)
+{
+    for (uint32_t d = (UINT32_C(1) << 15) + 1; d <= UINT32_C(1) << 16; d++) {
+        const uint32_t quotient = UINT32_C(0xFFFFFFFF) / d;
+
+        CHECK_EQ(etch_reciprocal_by_division(d), quotient);
+        CHECK_EQ(etch_reciprocal_by_iteration(d), quotient);
+        CHECK_EQ(etch_reciprocal(d), quotient);
+    }
+}
+
 void suite_vertex(void)
 {
     RUN(transform_is_rounded_once);
     RUN(usual_transforms_are_narrow);
     RUN(outcodes_are_exact);
     RUN(guards_are_in_range);
+    RUN(first_reciprocals_are_quotients);
     RUN(projection_is_rounded_once);
     RUN(ties_go_up);
     RUN(corners_of_the_volume);
