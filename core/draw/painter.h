@@ -58,7 +58,10 @@ void etch_painter_init(struct etch_painter *p, struct etch_painter_triangle *tri
  * cut found no room: what is kept is drawn all the same, in the order of its depth where it needed
  * the cut. Always ends: every step draws a triangle, cuts one, or moves one that was not moved
  * since the last cut. Cost: n log n for the order, then the tests of pairs that overlap in depth
- * and on the screen, from extents (a few comparisons) to plane tests (64-bit products). */
+ * and on the screen, from extents (a few comparisons) to plane tests (64-bit products). After
+ * a cut the tests begin anew, and triangles that all pierce each other come to as many pieces as
+ * the cube of their number, so give no more room than there is time for: a cut that finds none is
+ * the last one that is tried. */
 enum etch_status etch_painter_sort(struct etch_painter *p);
 
 /* Hands the triangles to to->triangle, from far to near. As often as wanted. */

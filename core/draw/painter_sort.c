@@ -63,7 +63,8 @@ static void take_out(struct etch_painter_triangle *t, uint16_t *list, uint16_t a
 }
 
 /* Cuts `at` by the plane of `by`, if it does cut it and there is room, and begins anew: all that
- * was moved goes back to its place. */
+ * was moved goes back to its place. Once a cut found no room none is tried: most would not either,
+ * and to look for one in every ring takes its square. */
 static bool cut(struct etch_painter *p, uint16_t *list, uint16_t at, uint16_t by)
 {
     struct etch_painter_triangle *const t = p->triangle;
@@ -71,7 +72,7 @@ static bool cut(struct etch_painter *p, uint16_t *list, uint16_t at, uint16_t by
     uint16_t piece[3], moved = NONE;
     uint8_t n;
 
-    if (etch_painter_cut(p, at, by, piece, &n) != ETCH_PAINTER_CUT)
+    if (p->uncut || etch_painter_cut(p, at, by, piece, &n) != ETCH_PAINTER_CUT)
         return false;
     t[at].next = after; /* its place may be a piece's now */
     take_out(t, list, at);
@@ -101,7 +102,7 @@ static bool cut_ring(struct etch_painter *p, uint16_t *list, uint16_t last)
     const struct etch_painter_triangle *const t = p->triangle;
     const uint16_t end = t[last].next;
 
-    for (uint16_t a = *list; a != end; a = t[a].next)
+    for (uint16_t a = *list; a != end && !p->uncut; a = t[a].next)
         for (uint16_t b = *list; b != end; b = t[b].next)
             if (a != b && !etch_painter_is_apart(&t[a], &t[b]) && cut(p, list, a, b))
                 return true;
