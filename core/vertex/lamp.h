@@ -78,9 +78,9 @@ struct etch_lamps {
     bool eye_is_far;        /* .. or the unit vector towards it in 2.14, as in parallel views */
 };
 
-/* Cortex-M0+, a point with etch_shade_phong, shininess 20, the eye near: 870 instructions (1150 cycles)
- * without a lamp, and for each lamp that it faces 375 (460) directional, 600 (760) point, 1620 (2120)
- * attenuated. */
+/* On Cortex-M0+ a point with etch_shade_phong, shininess 20, the eye near, costs 870 instructions
+ * (1150 cycles) without a lamp, and for each lamp that it faces 375 (460) directional, 600 (760)
+ * point, 1620 (2120) attenuated. */
 etch_shade_function etch_shade_diffuse;
 etch_shade_function etch_shade_phong;
 etch_shade_function etch_shade_blinn;
