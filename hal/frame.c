@@ -166,7 +166,10 @@ struct etch_surface *etch_frame_begin_areas(struct etch_frame *frame, const stru
                                             uint16_t count)
 {
     ETCH_ASSERT(frame != NULL && (areas != NULL || count == 0));
-    (void)settle(frame);
+    if (frame->open && !settle(frame)) {
+        return no_strip(frame); /* the frame before failed, and nobody has heard of it yet */
+    }
+    frame->open = true;
     frame->status = ETCH_OK;
     frame->index = 0;
     frame->direct = NULL;
@@ -221,5 +224,6 @@ int etch_frame_end(struct etch_frame *frame)
 {
     (void)settle(frame);
     (void)no_strip(frame);
+    frame->open = false;
     return frame->status;
 }

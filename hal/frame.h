@@ -56,6 +56,7 @@ struct etch_frame {
     uint8_t index;                 /* buffer of the strip in hand */
     bool sending;                  /* flush was called and wait not since */
     bool synced;                   /* the display was asked when to begin */
+    bool open;                     /* begun, and not ended */
     int status;                    /* first error of this frame */
 };
 
@@ -68,7 +69,8 @@ int etch_frame_init(struct etch_frame *frame, const struct etch_display *display
 
 /* Begins a frame and returns its first strip, top rows first; NULL if the display failed. The
  * surface belongs to the frame loop and is the caller's to draw on until the next call. A
- * frame that was not ended is ended first. */
+ * frame that was not ended is ended first; if it failed, this one does not begin, and
+ * etch_frame_end returns the error. */
 struct etch_surface *etch_frame_begin(struct etch_frame *frame);
 
 /* The same for parts of the frame, what is left of which stays as it was: hands out the strips of

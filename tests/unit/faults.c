@@ -66,6 +66,46 @@ static void every_fault_is_reported(void)
     test_print_count("", frames, " frames with a fault: each reported, the next whole");
 }
 
+static int fails_now;
+
+static int flush_well(const struct etch_display *display, struct etch_rect area,
+                      const uint16_t *pixels, uint16_t stride)
+{
+    (void)display, (void)area, (void)pixels, (void)stride;
+    return 0;
+}
+
+static int wait_or_fail(const struct etch_display *display)
+{
+    const int status = fails_now;
+
+    (void)display;
+    fails_now = 0;
+    return status;
+}
+
+/* The last strip fails and the application begins again without having ended: it is told. */
+static void a_frame_that_was_not_ended_is_not_lost(void)
+{
+    static uint16_t strip[8 * 4];
+    static const struct etch_display display = {
+        .width = 8, .height = 4, .flush = flush_well, .wait = wait_or_fail};
+    struct etch_frame frame;
+
+    CHECK_EQ(etch_frame_init(&frame, &display,
+                             (struct etch_frame_memory){.pixels = {strip}, .size = 8 * 4}),
+             0);
+    CHECK(etch_frame_begin(&frame) != NULL);
+    fails_now = -5;
+    CHECK(etch_frame_next(&frame) == NULL);
+    CHECK(etch_frame_begin(&frame) == NULL);
+    CHECK(etch_frame_begin(&frame) == NULL);
+    CHECK_EQ(etch_frame_end(&frame), -5);
+    CHECK(etch_frame_begin(&frame) != NULL);
+    CHECK(etch_frame_next(&frame) == NULL);
+    CHECK_EQ(etch_frame_end(&frame), 0);
+}
+
 /* A completion that comes late or twice is seen, and ends nothing. */
 static void stray_interrupts_come_and_do_nothing(void)
 {
@@ -148,6 +188,7 @@ static void opening_reports_faults(void)
 void suite_faults(void)
 {
     RUN(every_fault_is_reported);
+    RUN(a_frame_that_was_not_ended_is_not_lost);
     RUN(stray_interrupts_come_and_do_nothing);
     RUN(early_reuse_is_caught);
     RUN(a_failed_strip_does_not_shift_the_next);
