@@ -85,7 +85,8 @@ struct etch_lcd_panel {
     uint8_t mount;                       /* FLIP_COLUMNS, FLIP_ROWS that make turn 0 upright */
     bool bgr;                            /* the glass has blue where the controller has red */
     bool inverted;                       /* a straight picture needs the inverting command */
-    uint8_t align_x, align_y;            /* pixels of the unturned frame that share a byte */
+    uint8_t align_x, align_y;            /* pixels of the unturned frame that share a byte; width
+                                            and height are multiples of them */
 };
 
 /* Init tables: for each command  {count, command, parameter ..}, with ETCH_LCD_DELAY added to the

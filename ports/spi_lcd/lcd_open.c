@@ -162,6 +162,8 @@ int etch_lcd_open(struct etch_lcd *lcd, const struct etch_lcd_panel *panel,
                   const struct etch_bus *bus, struct etch_lcd_setup setup)
 {
     ETCH_ASSERT(lcd != NULL && panel != NULL && bus != NULL);
+    ETCH_ASSERT((panel->align_x <= 1 || panel->width % panel->align_x == 0) &&
+                (panel->align_y <= 1 || panel->height % panel->align_y == 0));
     *lcd = (struct etch_lcd){.panel = panel, .bus = bus, .setup = setup};
     lcd->display = (struct etch_display){.context = lcd,
                                          .format = ETCH_FORMAT_HIGH_BYTE_FIRST,
