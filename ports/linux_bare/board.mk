@@ -12,4 +12,3 @@ $(foreach b,linux-mips64 linux-aarch64be,\
     $(eval $(b)_BUFFERS := 1)\
     $(eval $(b)_FRAME := 320 240))
 linux-mips64_RUN := qemu-mips64-static
-linux-aarch64be_RUN := qemu-aarch64_be-static
