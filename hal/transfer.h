@@ -15,10 +15,11 @@
  * done, and passes the number that `start` was given last. (Numbers repeat after 256.)
  *
  * No locks: each field has one writer at a time, also where 16 bits are not written at once.
- * Thread and interrupt run on one core; the compiler is kept from moving what is written to the
- * pieces across start and wait. What the DMA sees is the board's affair: before it starts the
- * channel it drains the write buffer (DSB on Cortex-M) and, where data are cached, cleans the
- * lines of the piece; none is ever invalidated, as panels are only written to.
+ * Thread and interrupt run on one core (else, and for a task that sleeps: hal/guarded.h); the
+ * compiler is kept from moving what is written to the pieces across start and wait. What the DMA
+ * sees is the board's affair: before it starts the channel it drains the write buffer (DSB on
+ * Cortex-M) and, where data are cached, cleans the lines of the piece; none is ever invalidated,
+ * as panels are only written to.
  */
 #ifndef ETCH_HAL_TRANSFER_H
 #define ETCH_HAL_TRANSFER_H
