@@ -8,6 +8,7 @@
 #   NAME_RUN     command that runs the unit tests, unit.elf, and prints what they say
 #   NAME_UNIT    names of their suites; without it all that need no C library
 #   NAME_LIBS    to link with, -lgcc                         NAME_AR       ar
+#   NAME_FLAGS   more for the compiler, behind what all boards have
 #   NAME_SHOW    command that runs an ELF file and writes what the display shows, big-endian RGB565:
 #                it is called as  NAME_SHOW ELF >FRAME  in the top folder, with BUILD set
 
@@ -54,7 +55,7 @@ $(1)_AR ?= $(AR)
 $(1)_OBJ := $$(patsubst %,$(TARGET_DIR)/$(1)/%.o,$$(basename $$($(1)_SOURCES) $(TARGET_MAIN)))
 $(TARGET_DIR)/$(1)/%.o: %.c
 	@mkdir -p $$(@D)
-	$(Q)$$($(1)_CC) $(TARGET_FLAGS) -MMD -MP -c $$< -o $$@
+	$(Q)$$($(1)_CC) $(TARGET_FLAGS) $$($(1)_FLAGS) -MMD -MP -c $$< -o $$@
 $(TARGET_DIR)/$(1)/%.o: %.S
 	@mkdir -p $$(@D)
 	$(Q)$$($(1)_CC) -I. -c $$< -o $$@
@@ -65,7 +66,7 @@ $(TARGET_DIR)/$(1)/used.a: $$(patsubst %.c,$(TARGET_DIR)/$(1)/%.o,$$(USED) $(HAL
 	@rm -f $$@
 	$(Q)$$($(1)_AR) rcs $$@ $$^
 $(TARGET_DIR)/$(1)/%.elf: tests/targets/firmware.c $$($(1)_OBJ) $(TARGET_DIR)/$(1)/used.a
-	$(Q)$$($(1)_CC) $(TARGET_FLAGS) -DSCENE=$$* -DSTRIP=$$($(1)_STRIP) -DBUFFERS=$$($(1)_BUFFERS) \
+	$(Q)$$($(1)_CC) $(TARGET_FLAGS) $$($(1)_FLAGS) -DSCENE=$$* -DSTRIP=$$($(1)_STRIP) -DBUFFERS=$$($(1)_BUFFERS) \
 	    $$($(1)_LINK) -Wl,--gc-sections -Wl,--fatal-warnings $$^ $$($(1)_LIBS) -o $$@
 run-$(1): $(TARGET_DIR)/reference $(TARGET_DIR)/glass $(TARGET_DIR)/core.list
 	+$(Q)$(MAKE1) $(foreach n,0 1 2,$(TARGET_DIR)/$(1)/$(n).elf) \
@@ -75,7 +76,7 @@ run-$(1): $(TARGET_DIR)/reference $(TARGET_DIR)/glass $(TARGET_DIR)/core.list
 $(TARGET_DIR)/$(1)/suites.c: $(TARGET_DIR)/$(1)/core/base/surface.o FORCE
 	$(Q)sh tests/targets/suites.sh $$@ $$(or $$($(1)_UNIT),$(TARGET_UNIT))
 $(TARGET_DIR)/$(1)/suites.o: $(TARGET_DIR)/$(1)/suites.c
-	$(Q)$$($(1)_CC) $(TARGET_FLAGS) -c $$< -o $$@
+	$(Q)$$($(1)_CC) $(TARGET_FLAGS) $$($(1)_FLAGS) -c $$< -o $$@
 $(1)_UNIT_OBJ := $$(patsubst %.c,$(TARGET_DIR)/$(1)/%.o,$$(patsubst %,tests/unit/%.c,\
     $$(or $$($(1)_UNIT),$(TARGET_UNIT))) $(TARGET_HARNESS) tests/targets/unit.c $$($(1)_SOURCES:.S=.c))
 $(TARGET_DIR)/$(1)/unit.elf: $$($(1)_UNIT_OBJ) $(TARGET_DIR)/$(1)/suites.o \
