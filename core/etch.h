@@ -61,6 +61,7 @@
 #include "base/utf8.h"
 #include "base/weights.h"
 #include "draw/line.h"
+#include "draw/line_staged.h"
 #include "draw/blend.h"
 #include "draw/feedback.h"
 #include "draw/mesh.h"

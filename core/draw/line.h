@@ -52,4 +52,9 @@ etch_line_painter etch_line_gouraud_depth;
 void etch_line_wide(const struct etch_surface *s, const struct etch_vertex *const v[2],
                     uint16_t width_q8, etch_triangle_painter *painter, etch_kernel *kernel);
 
+/* That rectangle, for what paints triangles in another way: out[0] .. out[3] round its outline, the
+ * triangles 0 1 2 and 0 2 3. False, with nothing written, if the line has no length or width. */
+bool etch_line_wide_corners(struct etch_vertex out[4], const struct etch_vertex *const v[2],
+                            uint16_t width_q8);
+
 #endif

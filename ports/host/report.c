@@ -54,11 +54,12 @@ void etch_report_stats(const struct etch_simulation *s)
     (void)printf(", vertices %zu\n", s->scene->vertex_bytes);
 }
 
-/* The names that a step needs, with blanks between, or NULL. */
+/* The names that a step needs, with blanks between, or NULL: functions (0, 1) or kernels (2). */
 static const char *needs_of(const struct etch_scene *scene, const struct etch_scene_step *step,
                             int what)
 {
     return what == 0                ? step->statement->needs
+           : what == 1              ? step->needs
            : step->pipeline == NULL ? NULL
                                     : step->pipeline->name[scene->format];
 }
@@ -87,16 +88,18 @@ static void print_new(struct names *names, const char *text)
     }
 }
 
-static void print_names(const struct etch_scene *scene, const char *title, int what)
+static void print_names(const struct etch_scene *scene, const char *title, int first, int last)
 {
     struct names names = {.count = 0};
 
     (void)printf("%s", title);
     for (size_t i = 0; i < scene->count; i++) {
-        const char *name = needs_of(scene, &scene->step[i], what);
+        for (int what = first; what <= last; what++) {
+            const char *name = needs_of(scene, &scene->step[i], what);
 
-        if (name != NULL) {
-            print_new(&names, name);
+            if (name != NULL) {
+                print_new(&names, name);
+            }
         }
     }
     (void)printf("%s\n", names.count == 0 ? " none" : "");
@@ -109,8 +112,8 @@ void etch_report_needs(const struct etch_simulation *s)
     const bool stencil = scene->uses_stencil || s->keeps_stencil;
     const uint64_t plane = (uint64_t)s->rows * (uint64_t)scene->width * sizeof(uint16_t);
 
-    print_names(scene, "functions ", 0);
-    print_names(scene, "kernels   ", 1);
+    print_names(scene, "functions ", 0, 1);
+    print_names(scene, "kernels   ", 2, 2);
     (void)printf("planes     colour%s%s\n", depth ? ", depth" : "", stencil ? ", stencil" : "");
     (void)printf("ram        %" PRIu64 " bytes a colour buffer of %d rows, one or two of them; "
                  "depth %" PRIu64,

@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "../../core/draw/mesh_elements.h"
-#include "../../core/draw/point.h"
 #include "scene_lines.h"
 #include "scene_primitive.h"
 
@@ -39,7 +38,7 @@ struct elements {
 static etch_scene_draw_function draw_points, draw_lines, draw_triangles;
 
 #define PRIMITIVE "etch_mesh_primitive_init "
-#define LINES "etch_mesh_transform etch_mesh_take_line etch_line_gouraud "
+#define LINES "etch_mesh_transform etch_mesh_take_line "
 #define TRIANGLES "etch_mesh_transform etch_mesh_take_triangle "
 static const struct kind {
     etch_element_kind *kind;
@@ -49,8 +48,8 @@ static const struct kind {
 } kinds[MOST_KINDS] = {
     {etch_elements_points,
      etch_mesh_take_point,
-     {"list", NULL, draw_points,
-      "etch_mesh_transform etch_mesh_take_point etch_point_paint etch_elements_points", NULL},
+     {"list", NULL, draw_points, "etch_mesh_transform etch_mesh_take_point etch_elements_points",
+      NULL},
      {{NULL, NULL, NULL, NULL, NULL}, {NULL, NULL, NULL, NULL, NULL}}},
     {etch_elements_lines,
      etch_mesh_take_line,
@@ -121,13 +120,14 @@ static bool read_size(struct etch_scene_reader *reader, struct elements *e)
 }
 
 static bool read_pipeline(struct etch_scene_reader *reader, struct etch_scene_step *step,
-                          bool triangles)
+                          const struct elements *e, bool triangles)
 {
     if (reader->primitive.kind != 0 && !triangles) {
         return etch_text_fail(&reader->text, "\"primitive\" is for triangles");
     }
     if (!triangles || reader->primitive.kind == ETCH_SCENE_WIREFRAME) {
-        return etch_scene_lines_pipeline(reader, step);
+        return etch_scene_lines_pipeline(
+            reader, step, e->kind == etch_elements_points ? ETCH_SCENE_POINT : ETCH_SCENE_LINE);
     }
     if (reader->state.tex != 0) {
         return etch_text_fail(&reader->text, "\"state tex\" is on, but vertices of lists have no "
@@ -171,7 +171,8 @@ static bool read_list(struct etch_scene_reader *reader,
     e->assembly.flat = reader->state.shade == 1;
     (void)etch_viewport_init(&e->assembly.viewport, frame);
     reader->elements = e;
-    return read_pipeline(reader, step, kind >= 4) && etch_scene_model_to_clip(reader, &e->matrix);
+    return read_pipeline(reader, step, e, kind >= 4) &&
+           etch_scene_model_to_clip(reader, &e->matrix);
 }
 
 static struct elements *current(struct etch_scene_reader *reader)
@@ -276,8 +277,7 @@ static void paint_point(struct etch_sink *sink, const struct etch_vertex *v)
     const struct sink *s = (const void *)sink;
     const struct elements *e = s->step->of.data;
 
-    etch_point_paint(&s->run->surface, v, e->size_q8, etch_point_runs_round,
-                     etch_scene_kernel(s->run, s->step->pipeline));
+    etch_scene_paint_point(s->run, s->step, v, e->size_q8, etch_point_runs_round);
 }
 
 static void draw_points(struct etch_scene_run *run, const struct etch_scene_step *step)

@@ -3,15 +3,31 @@
 #define ETCH_HOST_SCENE_LINES_H
 
 #include "../../core/draw/line.h"
+#include "../../core/draw/point.h"
 #include "scene_steps.h"
 
-/* Sets step->pipeline: the state's depth test, without texture. False, with an error set, if the
- * state asks for more. */
-bool etch_scene_lines_pipeline(struct etch_scene_reader *reader, struct etch_scene_step *step);
+enum etch_scene_line_kind {
+    ETCH_SCENE_POINT,
+    ETCH_SCENE_LINE,
+    ETCH_SCENE_WIDE,
+    ETCH_SCENE_VOLUME /* a triangle of cvtri */
+};
 
-/* A line from v[0] to v[1] by the step's pipeline. */
-void etch_scene_lines_paint(struct etch_scene_run *run, const struct etch_scene_step *step,
-                            const struct etch_vertex v[2]);
+/* Sets step->pipeline, for the state without texture, and what it needs. False, with an error set,
+ * if etch has none. */
+bool etch_scene_lines_pipeline(struct etch_scene_reader *reader, struct etch_scene_step *step,
+                               enum etch_scene_line_kind kind);
+
+/* A line from v[0] to v[1], a line of a width and a point by the step's pipeline. */
+void etch_scene_paint_line(struct etch_scene_run *run, const struct etch_scene_step *step,
+                           const struct etch_vertex v[2]);
+void etch_scene_paint_wide(struct etch_scene_run *run, const struct etch_scene_step *step,
+                           const struct etch_vertex v[2], uint16_t size_q8);
+void etch_scene_paint_point(struct etch_scene_run *run, const struct etch_scene_step *step,
+                            const struct etch_vertex *v, uint16_t size_q8, etch_point_runs *runs);
+
+/* Takes `alpha A ..`, one for each of n vertices, if it follows. */
+bool etch_scene_read_alphas(struct etch_scene_reader *reader, uint8_t *const alpha[], int n);
 
 /* A sink that paints the lines of a step. */
 struct etch_scene_line_sink {

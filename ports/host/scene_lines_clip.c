@@ -198,7 +198,7 @@ static bool read_clip_vertex(struct etch_scene_reader *reader, struct etch_clip_
     return true;
 }
 
-/* guard|volume V V [V] */
+/* guard|volume V V [V] [alpha A A [A]] */
 static bool read_volume(struct etch_scene_reader *reader,
                         const struct etch_scene_statement *statement)
 {
@@ -209,6 +209,8 @@ static bool read_volume(struct etch_scene_reader *reader,
     if (v == NULL || !read_choice(reader, "guard", "volume", &v->all_planes)) {
         return false;
     }
+    uint8_t *const alpha[3] = {&v->v[0].a, &v->v[1].a, &v->v[2].a};
+
     step->of.data = v;
     step->statement = &variant[(is_line ? LINE_GUARD : TRIANGLE_GUARD) + v->all_planes];
     for (int i = 0; i < (is_line ? 2 : 3); i++) {
@@ -216,7 +218,14 @@ static bool read_volume(struct etch_scene_reader *reader,
             return false;
         }
     }
-    return etch_scene_lines_pipeline(reader, step);
+    if (!etch_scene_read_alphas(reader, alpha, is_line ? 2 : 3)) {
+        return false;
+    }
+    for (int i = 1; i < 3 && reader->state.shade == 1; i++) { /* flat */
+        v->v[i].r = v->v[0].r, v->v[i].g = v->v[0].g;
+        v->v[i].b = v->v[0].b, v->v[i].a = v->v[0].a;
+    }
+    return etch_scene_lines_pipeline(reader, step, is_line ? ETCH_SCENE_LINE : ETCH_SCENE_VOLUME);
 }
 
 static struct etch_viewport whole_frame(const struct etch_scene_run *run)
@@ -238,7 +247,7 @@ static void draw_cvline(struct etch_scene_run *run, const struct etch_scene_step
     if (v->all_planes ? etch_clip_line_volume(v->v, cut) : etch_clip_line(&viewport, v->v, cut)) {
         etch_viewport_project(&viewport, &cut[0], &p[0]);
         etch_viewport_project(&viewport, &cut[1], &p[1]);
-        etch_scene_lines_paint(run, step, p);
+        etch_scene_paint_line(run, step, p);
     }
 }
 

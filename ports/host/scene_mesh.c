@@ -100,7 +100,7 @@ static bool read_primitive_pipeline(struct etch_scene_reader *reader, struct etc
     }
     step->statement = &by_primitive[kind - 1][reader->view.lamps];
     if (kind == ETCH_SCENE_WIREFRAME) {
-        return etch_scene_lines_pipeline(reader, step);
+        return etch_scene_lines_pipeline(reader, step, ETCH_SCENE_LINE);
     }
     step->pipeline = etch_scene_read_pipeline(reader);
     return step->pipeline != NULL;

@@ -91,6 +91,17 @@ static const struct etch_scene_pipeline *take_staged(struct etch_scene_reader *r
     return &staged->pipeline;
 }
 
+/* The planes that the state's pipeline reads. */
+static const struct etch_scene_pipeline *note_planes(struct etch_scene_reader *reader,
+                                                     const struct etch_scene_pipeline *pipeline)
+{
+    if (pipeline != NULL) {
+        reader->scene->uses_depth |= reader->state.ztest != 0;
+        reader->scene->uses_stencil |= reader->state.stencil != 0;
+    }
+    return pipeline;
+}
+
 const struct etch_scene_pipeline *
 etch_scene_read_triangle_pipeline(struct etch_scene_reader *reader,
                                   struct etch_scene_differs differs)
@@ -115,11 +126,25 @@ etch_scene_read_triangle_pipeline(struct etch_scene_reader *reader,
     if (pipeline == NULL) {
         pipeline = take_staged(reader, differs);
     }
-    if (pipeline != NULL) {
-        reader->scene->uses_depth |= reader->state.ztest != 0;
-        reader->scene->uses_stencil |= reader->state.stencil != 0;
+    return note_planes(reader, pipeline);
+}
+
+const struct etch_scene_pipeline *etch_scene_read_line_pipeline(struct etch_scene_reader *reader)
+{
+    const struct etch_scene_differs same = {false, false};
+    const struct etch_scene_state state = reader->state;
+    const struct etch_scene_pipeline *pipeline;
+
+    reader->state.shade = 0; /* what is flat has equal vertices */
+    reader->state.tex = 0;
+    reader->state.mode = 0;
+    pipeline = etch_scene_pipeline_find(&reader->state);
+    if (pipeline == NULL) {
+        reader->state.shade = state.shade == 1;
+        pipeline = take_staged(reader, same);
     }
-    return pipeline;
+    reader->state = state;
+    return note_planes(reader, pipeline);
 }
 
 const struct etch_scene_pipeline *etch_scene_read_pipeline(struct etch_scene_reader *reader)

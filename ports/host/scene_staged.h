@@ -2,6 +2,7 @@
 #ifndef ETCH_HOST_SCENE_STAGED_H
 #define ETCH_HOST_SCENE_STAGED_H
 
+#include "../../core/draw/line_staged.h"
 #include "../../core/draw/mesh_shaded.h"
 #include "../../core/draw/staged.h"
 #include "../../core/fragment/blend.h"
@@ -28,6 +29,7 @@ struct etch_scene_staged {
     const struct etch_phong *phong;      /* NULL without */
 
     etch_varying *varyings[ETCH_SCENE_VARYINGS + 1];
+    etch_line_varying *line_varyings[ETCH_SCENE_VARYINGS + 1]; /* of lines and points */
     struct etch_stage stages[2][ETCH_SCENE_STAGES + 1];
     struct etch_alpha_test alpha;
     struct etch_stencil stencil;

@@ -9,12 +9,19 @@
 /* The lists for both byte orders, as they grow. */
 struct builder {
     struct etch_scene_staged *staged;
-    int varyings, stages;
+    int varyings, line_varyings, stages;
 };
 
 static void add_varying(struct builder *b, etch_varying *varying)
 {
     b->staged->varyings[b->varyings++] = varying;
+}
+
+/* One that lines have too. */
+static void add_varyings(struct builder *b, etch_varying *varying, etch_line_varying *of_line)
+{
+    add_varying(b, varying);
+    b->staged->line_varyings[b->line_varyings++] = of_line;
 }
 
 static void add_name(char *names, size_t size, const char *name)
@@ -118,14 +125,14 @@ static void add_color(struct builder *b)
     const struct etch_scene_state *state = &b->staged->state;
 
     if (state->shade == 1) {
-        add_varying(b, etch_varying_flat);
+        add_varyings(b, etch_varying_flat, etch_line_varying_flat);
         ADD(b, etch_source_flat, NULL);
     } else if (state->persp != 0 && b->staged->differs.w && b->staged->differs.color) {
         add_varying(b, etch_varying_color_perspective);
         ADD(b, etch_source_color_perspective, NULL);
     } else {
-        add_varying(b, etch_varying_color);
-        add_varying(b, etch_varying_alpha);
+        add_varyings(b, etch_varying_color, etch_line_varying_color);
+        add_varyings(b, etch_varying_alpha, etch_line_varying_alpha);
         ADD(b, etch_source_color, NULL);
         ADD(b, etch_source_alpha, NULL);
     }
@@ -235,13 +242,13 @@ static void add_output(struct builder *b)
 /* Tests stand before colours, unless the alpha test has to come first. */
 void etch_scene_staged_build(struct etch_scene_staged *staged)
 {
-    struct builder b = {staged, 0, 0};
+    struct builder b = {staged, 0, 0, 0};
     const struct etch_scene_state *state = &staged->state;
 
     add_name(staged->names[0], sizeof staged->names[0], "etch_kernel_staged");
     add_name(staged->names[1], sizeof staged->names[1], "etch_kernel_staged");
     if (state->ztest != 0 || state->fog != 0) {
-        add_varying(&b, etch_varying_depth);
+        add_varyings(&b, etch_varying_depth, etch_line_varying_depth);
         ADD(&b, etch_source_depth, NULL);
     }
     if (state->atest == 0) {

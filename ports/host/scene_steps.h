@@ -59,6 +59,7 @@ typedef void etch_scene_draw_function(struct etch_scene_run *run,
 struct etch_scene_step {
     const struct etch_scene_statement *statement; /* whose draw is called */
     const struct etch_scene_pipeline *pipeline;   /* of triangles and meshes, else NULL */
+    const char *needs;                            /* beside the statement's, or NULL */
     union {
         struct {
             int16_t at[6];
@@ -209,6 +210,10 @@ bool etch_scene_model_to_clip(struct etch_scene_reader *reader, struct etch_matr
 /* The pipeline for the state as it stands, for primitives whose colours are linear on the screen;
  * NULL, with an error set, if etch has none. */
 const struct etch_scene_pipeline *etch_scene_read_pipeline(struct etch_scene_reader *reader);
+
+/* The same for lines and points, which have neither texture nor perspective; its staged lists are
+ * those of lines and of triangles. */
+const struct etch_scene_pipeline *etch_scene_read_line_pipeline(struct etch_scene_reader *reader);
 
 /* The same for triangles: what their vertices differ in that concerns perspective. */
 struct etch_scene_differs {

@@ -22,11 +22,6 @@ many=$(printf '1 2 %.0s' $(seq 65))
 scene '2: more than 64 vertices' "scene 8 8\nclippolygon 0 0 7 7 1 2 3  $many\n"
 scene '2: guard or volume is missing' 'scene 8 8\ncvline 0 0 0 1 1 2 3  1 1 0 1 1 2 3\n'
 scene '2: w: 32768 does not fit' 'scene 8 8\ncvtri guard 0 0 0 32768 1 2 3\n'
-for state in 'blend add' 'atest 1' 'stencil always 1 255 keep keep keep'; do
-    scene "3: lines and points are drawn with the depth test alone" \
-        "scene 8 8\nstate $state\ncline 0 0 0 1 2 3  1 1 0 1 2 3\n"
-done
-
 draws 'cline' 'scene 3 1\ncline 0 0 0 255 0 0  2 0 0 0 0 255\n' '00f810801f00'
 draws 'cline is flat' 'scene 3 1\nstate shade flat\ncline 0 0 0 255 0 0  2 0 0 0 0 255\n' '00f800f800f8'
 draws 'cline by depth' \
@@ -42,3 +37,34 @@ draws 'clipline' 'scene 4 1\nclipline cohen 1 0 2 0 -9 0 9 0 255 0 0\n' '000000f
 draws 'clippolygon' 'scene 4 1\nclippolygon 1 0 2 0 255 0 0 -9 -9 20 -9 20 20 -9 20\n' '000000f800f80000'
 draws 'cvline' 'scene 2 1\ncvline volume -3 0 0 1 255 0 0  0 0 0 1 255 0 0\n' '00f800f8'
 draws 'cvtri' 'scene 2 1\ncvtri volume 0 3 0 1 255 0 0  0 -3 0 1 255 0 0 9 0 0 1 255 0 0\n' '000000f8'
+
+# With what the state has for fragments (which pixels become what: tests/cli/fragments.c).
+scene '2: alpha: "256" is not' 'scene 8 8\ncline 0 0 0 1 2 3  1 1 0 1 2 3 alpha 256 1\n'
+scene '2: alpha is missing' 'scene 8 8\ncline 0 0 0 1 2 3  1 1 0 1 2 3 alpha 1\n'
+scene '2: unexpected "9"' 'scene 8 8\ncpoint round 3 0 0 0 1 2 3 alpha 9 9\n'
+scene '2: alpha is missing' 'scene 8 8\ncvtri guard 0 0 0 1 1 2 3 0 0 0 1 1 2 3 0 0 0 1 1 2 3 alpha 1 2\n'
+on_red='clear 255 0 0\nstate blend alpha\n'
+draws 'cline blended' "scene 3 1\n${on_red}cline 0 0 0 0 0 255  2 0 0 0 0 255 alpha 0 255\n" \
+    '00f810801f00'
+draws 'cline flat and blended' \
+    "scene 2 1\nstate shade flat\n${on_red}cline 0 0 0 0 0 255  1 0 0 0 0 255 alpha 128 0\n" '10781078'
+draws 'wideline blended' "scene 1 3\n${on_red}wideline 2 -2 1 0 0 0 255  3 1 0 0 0 255 alpha 128 128\n" \
+    '1078107800f8'
+draws 'cpoint blended' "scene 3 1\n${on_red}cpoint square 2 1 0 0 0 0 255 alpha 128\n" '1078107800f8'
+draws 'cvline blended' \
+    "scene 2 1\n${on_red}cvline volume -3 0 0 1 0 0 255  0 0 0 1 0 0 255 alpha 128 128\n" '10781078'
+draws 'cvline is flat' \
+    'scene 2 1\nstate shade flat\ncvline volume -1 0 0 1 255 0 0  0.5 0 0 1 0 0 255\n' '00f800f8'
+draws 'cvtri blended' "scene 2 1\n${on_red}cvtri volume 0 3 0 1 0 0 255  0 -3 0 1 0 0 255 $(
+    )9 0 0 1 0 0 255 alpha 128 128 128\n" '00f81078'
+draws 'cvtri is flat' "scene 2 1\nstate shade flat\ncvtri volume 0 3 0 1 255 0 0  0 -3 0 1 0 0 255 $(
+    )9 0 0 1 0 0 255\n" '000000f8'
+list='canonical\nstate logic xor\nlist lines\nvertex -0.9 0 0 0 0 255\nvertex 0.9 0 0 0 0 255\nendlist\n'
+draws 'lines of a list by logic' "scene 2 1\nclear 255 0 0\n$list" '1ff81ff8'
+draws 'points of a list by stencil' \
+    "scene 2 1\nclearstencil 1\nstate scissor 0 0 1 1\nclearstencil 2\nstate scissor off\n$(
+    )canonical\nstate stencil equal 2 255 keep keep keep\nlist points 9\nvertex 0 0 0 255 0 0\nendlist\n" \
+    '00f80000'
+draws 'textures do not concern lines' \
+    'scene 2 1\ntexture 1 1 00FF00\nstate tex replace\nstate blend add\ncline 0 0 0 255 0 0  1 0 0 255 0 0\n' \
+    '00f800f8'

@@ -33,7 +33,6 @@ scene '2: .*percent' 'scene 8 8\nprimitive shrink 101\n'
 scene '3: "primitive" is for triangles' 'scene 8 8\nprimitive wireframe\nlist lines\n'
 cp tests/scenes/cube.obj "$out/cube.obj"
 scene '4: "primitive" hands on colours' 'scene 8 8\nprimitive shrink 50\nstate shade phong\nmesh cube.obj\n'
-scene '4: lines and points are drawn' 'scene 8 8\nprimitive wireframe\nstate blend add\nmesh cube.obj\n'
 scene '2: .*g' 'scene 8 8\nselect 0 0 1\n'
 scene '2: .*r' 'scene 8 8\nselect 0 0 256 0 0\n'
 point='scene 1 1\nlist points\nendlist\n'
@@ -52,6 +51,8 @@ draws 'feedback draws' "${four}${lower}feedback 0 255 0  255 0 0\n" \
     00f8000000000000e007e0070000000000f81f0000f800f800f81f0000f800f8
 draws 'primitive wireframe' "${four}primitive wireframe\n$lower" \
     1f000000000000001f001f00000000001f0000001f0000001f00000000001f00
+draws 'primitive wireframe by the state' "${four}state colormask 1 1 0\nprimitive wireframe\n$lower" \
+    $none$none$none$none
 draws 'primitive shrink' "${four}primitive shrink 10\n$lower" $none$none$none$none
 draws 'primitive none' "${four}primitive shrink 10\nprimitive none\n$lower" \
     ${none}1f000000000000001f001f00000000001f001f001f000000

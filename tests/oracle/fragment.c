@@ -199,36 +199,62 @@ static void logic(struct oracle_fragment *out, const struct oracle_state *s, con
                                   (before & ~(unsigned)s->color_mask));
 }
 
-void oracle_fragment(struct oracle_fragment *out, const struct oracle_state *s,
-                     const struct oracle_triangle *t, const struct oracle_vertex v[3], int32_t x,
-                     int32_t y, struct oracle_pixel before)
+/* From texture on: c holds r g b a, flat_alpha what alpha is exactly where the state is flat. */
+static void pass(struct oracle_fragment *out, const struct oracle_state *s, int64_t c[4],
+                 int64_t z14, uint8_t flat_alpha, struct oracle_pixel before)
 {
-    const uint32_t distances[3] = {v[0].w, v[1].w, v[2].w}, *const w = s->persp ? distances : NULL;
-    const int32_t zs[3] = {v[0].z, v[1].z, v[2].z};
-    const int64_t z14 = varying(t, x, y, zs, NULL, 14), z = (z14 + (1 << 13)) >> 14;
-    int64_t c[4];
-    const struct oracle_fragment start = {.pixel = before};
+    const int64_t z = (z14 + (1 << 13)) >> 14, rest = (z14 + (1 << 13)) & 16383;
 
-    *out = start;
-    if ((s->ztest != 0 || s->fog != 0) && (zs[0] != zs[1] || zs[0] != zs[2]))
-        out->doubtful = is_near(((z14 + (1 << 13)) & 16383), 0, 16384) ||
-                        is_near(((z14 + (1 << 13)) & 16383), 16384, 16384);
-    for (int k = 0; k < 4; k++) {
-        const int32_t cs[3] = {v[0].rgba[k], v[1].rgba[k], v[2].rgba[k]};
-
-        c[k] = s->flat ? ORACLE_ONE * cs[0] / 255 : varying(t, x, y, cs, w, 22) * 256 / 255;
-    }
-    if (s->tex != 0)
-        out->doubtful |= !texture(c, s, t, v, w, x, y);
+    if (s->ztest != 0 || s->fog != 0)
+        out->doubtful |= is_near(rest, 0, 16384) || is_near(rest, 16384, 16384);
     if (s->fog != 0)
         fog(c, s, z);
-    test(out, s, c, z, v[0].rgba[3]);
+    test(out, s, c, z, flat_alpha);
     if (!out->drawn)
         return;
     if (s->logic >= 0)
         logic(out, s, c, before.color);
     else
         blend(out, s, c, before.color);
+}
+
+void oracle_fragment(struct oracle_fragment *out, const struct oracle_state *s,
+                     const struct oracle_triangle *t, const struct oracle_vertex v[3], int32_t x,
+                     int32_t y, struct oracle_pixel before)
+{
+    const uint32_t distances[3] = {v[0].w, v[1].w, v[2].w}, *const w = s->persp ? distances : NULL;
+    const int32_t zs[3] = {v[0].z, v[1].z, v[2].z};
+    const bool level = zs[0] == zs[1] && zs[0] == zs[2];
+    const int64_t z14 = level ? zs[0] * INT64_C(16384) : varying(t, x, y, zs, NULL, 14);
+    int64_t c[4];
+    const struct oracle_fragment start = {.pixel = before};
+
+    *out = start;
+    for (int k = 0; k < 4; k++) {
+        const int32_t cs[3] = {v[0].rgba[k], v[1].rgba[k], v[2].rgba[k]};
+
+        c[k] = s->flat ? ORACLE_ONE * cs[0] / 255 : varying(t, x, y, cs, w, 22) * 256 / 255;
+    }
+    if (s->tex != 0)
+        out->doubtful = !texture(c, s, t, v, w, x, y);
+    pass(out, s, c, z14, v[0].rgba[3], before);
+}
+
+void oracle_line_fragment(struct oracle_fragment *out, const struct oracle_state *s,
+                          const struct oracle_vertex v[2], int64_t k, int64_t length,
+                          struct oracle_pixel before)
+{
+    const int64_t du = length != 0 ? length : 2, at = length != 0 ? k : 1;
+    int64_t c[4];
+    const struct oracle_fragment start = {.pixel = before};
+
+    *out = start;
+    for (int i = 0; i < 4; i++) {
+        const int64_t a = v[0].rgba[i], b = s->flat ? a : v[1].rgba[i];
+
+        c[i] = (a * (du - at) + b * at) * ORACLE_ONE / (255 * du);
+    }
+    pass(out, s, c, (v[0].z * (du - at) + v[1].z * at) * 16384 / du, v[0].rgba[3], before);
 }
 
 bool oracle_fragment_color_ok(const struct oracle_fragment *f, const struct oracle_state *s,
