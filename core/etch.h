@@ -46,6 +46,7 @@
 #ifndef ETCH_H
 #define ETCH_H
 
+#include "base/clip_stack.h"
 #include "base/cover.h"
 #include "base/fixed.h"
 #include "base/font.h"
@@ -106,6 +107,7 @@
 #include "frame/exchange.h"
 #include "frame/filter.h"
 #include "frame/jitter.h"
+#include "frame/move.h"
 #include "frame/multisample.h"
 #include "frame/shared.h"
 #include "frame/smooth.h"
