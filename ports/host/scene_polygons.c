@@ -2,8 +2,6 @@
  * with them. scene.c finds them by name, scene_draw.c calls what they append. */
 #include "scene_polygons.h"
 
-#include "../../core/fragment/flat.h"
-
 /* How many words are left on the line. */
 static size_t count_words(const struct etch_scene_reader *reader)
 {
@@ -110,14 +108,24 @@ static bool read_outline(struct etch_scene_reader *reader,
                          const struct etch_scene_statement *statement)
 {
     struct etch_scene_step *step = etch_scene_append(reader, statement);
+    const bool triangles = step != NULL && etch_scene_take(reader, "triangles");
+    struct etch_scene_polygon *p = step != NULL ? read_contours(reader) : NULL;
 
-    return step != NULL && (step->of.data = read_contours(reader)) != NULL;
+    if (p == NULL) {
+        return false;
+    }
+    step->of.data = p;
+    if (triangles) {
+        step->statement = &etch_scene_outline_triangles;
+        return etch_scene_open_triangles(reader, p);
+    }
+    return true;
 }
 
 /* ---- fills ---------------------------------------------------------------------------------- */
 
-/* Flat runs, counted if there are stats. */
-static struct etch_flat_paint flat(struct etch_scene_run *run, const struct etch_scene_polygon *p)
+struct etch_flat_paint etch_scene_flat_paint(struct etch_scene_run *run,
+                                             const struct etch_scene_polygon *p)
 {
     const struct etch_flat_paint paint = {
         {run->stats != NULL ? etch_scene_count : etch_kernel_flat}, etch_scene_color(run, p->rgb)};
@@ -129,7 +137,7 @@ static struct etch_flat_paint flat(struct etch_scene_run *run, const struct etch
 static void draw_evenodd(struct etch_scene_run *run, const struct etch_scene_step *step)
 {
     const struct etch_scene_polygon *p = step->of.data;
-    const struct etch_flat_paint paint = flat(run, p);
+    const struct etch_flat_paint paint = etch_scene_flat_paint(run, p);
 
     etch_polygon_runs_evenodd(&run->surface, p->of, &paint.paint);
 }
@@ -137,7 +145,7 @@ static void draw_evenodd(struct etch_scene_run *run, const struct etch_scene_ste
 static void draw_nonzero(struct etch_scene_run *run, const struct etch_scene_step *step)
 {
     const struct etch_scene_polygon *p = step->of.data;
-    const struct etch_flat_paint paint = flat(run, p);
+    const struct etch_flat_paint paint = etch_scene_flat_paint(run, p);
 
     etch_polygon_runs_nonzero(&run->surface, p->of, &paint.paint);
 }
@@ -174,27 +182,41 @@ bool etch_scene_open_edges(struct etch_scene_reader *reader, struct etch_scene_p
     return edge != NULL;
 }
 
-static bool read_fill(struct etch_scene_reader *reader,
-                      const struct etch_scene_statement *statement)
+/* The edges of all contours. */
+static bool open_fill(struct etch_scene_reader *reader, struct etch_scene_polygon *p)
 {
-    struct etch_scene_step *step = etch_scene_read_rule(reader);
-    struct etch_scene_polygon *p = step != NULL ? read_contours(reader) : NULL;
-    const struct etch_point *v;
+    const struct etch_point *v = p->v;
     size_t edges = 0;
 
-    (void)statement;
-    for (uint16_t i = 0; p != NULL && i < p->contours; i++) {
+    for (uint16_t i = 0; i < p->contours; i++) {
         edges += p->size[i];
     }
-    if (p == NULL || !etch_scene_open_edges(reader, p, edges)) {
+    if (!etch_scene_open_edges(reader, p, edges)) {
         return false;
     }
-    v = p->v;
     for (uint16_t i = 0; i < p->contours; v += p->size[i++]) {
         (void)etch_polygon_add_pixels(p->of, v, p->size[i]);
     }
-    step->of.data = p;
     return true;
+}
+
+/* evenodd|nonzero|inversion|triangles X Y .. */
+static bool read_fill(struct etch_scene_reader *reader,
+                      const struct etch_scene_statement *statement)
+{
+    const struct etch_scene_statement *way = etch_scene_read_fill_way(reader);
+    struct etch_scene_step *step = way != NULL ? etch_scene_append(reader, way)
+                                               : etch_scene_read_rule(reader);
+    struct etch_scene_polygon *p = step != NULL ? read_contours(reader) : NULL;
+
+    (void)statement;
+    if (p == NULL) {
+        return false;
+    }
+    step->of.data = p;
+    return way == &etch_scene_fill_inversion   ? etch_scene_open_inversion(reader, p)
+           : way == &etch_scene_fill_triangles ? etch_scene_open_triangles(reader, p)
+                                               : open_fill(reader, p);
 }
 
 const struct etch_scene_statement etch_scene_polygon_statements[] = {

@@ -15,11 +15,11 @@
  *      scene_elements.c  list vertex index endlist primitive
  *      scene_answers.c   select feedback
  *      scene_text.c      font text textbox
- *      scene_lines.c     cline wideline cpoint
+ *      scene_lines.c     cline wideline cpoint (drawn by scene_line_paint.c)
  *      scene_lines_2d.c  ddaline halfspace gradient
  *      scene_lines_clip.c  clipline clippolygon cvline cvtri
  *      scene_mesh.c      mesh
- *      scene_polygons.c  polygon fillpolygon;  scene_paths.c  fillpath
+ *      scene_polygons.c  polygon fillpolygon (also scene_polygon_ways.c);  scene_paths.c  fillpath
  *      scene_implicit.c  bezier quadric implicit
  *      scene_sorted.c    sorted end
  *      scene_passes.c    antialias motionblur motion filter exchange */

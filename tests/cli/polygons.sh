@@ -19,6 +19,28 @@ draws 'nonzero fills what winds twice' \
     'scene 2 1\nfillpolygon nonzero 0 0 2 0 2 1 0 1 hole 0 0 1 0 1 1 0 1 255 0 0\n' '00f800f8'
 draws 'evenodd does not' \
     'scene 2 1\nfillpolygon evenodd 0 0 2 0 2 1 0 1 hole 0 0 1 0 1 1 0 1 255 0 0\n' '000000f8'
+scene '2: a contour needs three corners' 'scene 8 8\nfillpolygon inversion 0 0 8 0 1 2 3\n'
+scene '2: this polygon has no triangles' \
+    'scene 8 8\nfillpolygon triangles 0 0 8 8 8 0 0 8 1 2 3\n'
+scene '2: this polygon has no triangles' \
+    'scene 8 8\npolygon triangles 0 0 8 0 8 8 0 8 hole 9 9 12 9 12 12 1 2 3\n'
+scene '2: rule: "inversion" is unknown' 'scene 8 8\nfillpath inversion move 0 0 1 2 3\n'
+draws 'polygon triangles' 'scene 3 3\npolygon triangles 0 0 2 0 2 2 0 2 255 0 0\n' \
+    '00f800f800f800f800f800f800f800f800f8'
+# Three ways to fill are the same pixels, whole and in strips: teeth, far vertices, a hole.
+shape='3 2 60 7 55 40 32000 31000 20 41 5 58 hole 12 12 30 20 25 30 14 28 9 17 255 200 0'
+printf 'scene 64 64\nclear 9 9 9\nfillpolygon evenodd %s\n' "$shape" >"$out/right.scene"
+sim "$out/right.scene" --raw "$out/evenodd.565"
+for way in nonzero inversion triangles; do
+    word=$shape
+    [ $way = nonzero ] && word=$(echo "$shape" | sed 's/12 12 30 20 25 30 14 28 9 17/9 17 14 28 25 30 30 20 12 12/')
+    printf 'scene 64 64\nclear 9 9 9\nfillpolygon %s %s\n' "$way" "$word" >"$out/right.scene"
+    for options in '' '--strip 7'; do
+        # shellcheck disable=SC2086
+        sim "$out/right.scene" $options --raw "$out/o.565"
+        same "fillpolygon $way $options" "$out/o.565" "$out/evenodd.565"
+    done
+done
 draws 'polygon' 'scene 3 3\npolygon 0 0 2 0 2 2 0 2 255 0 0\n' \
     '00f800f800f800f8000000f800f800f800f8'
 
