@@ -33,8 +33,8 @@
  *              covers. Set-up returns 0 or a negative enum etch_status. A caller's bug trips
  *              ETCH_ASSERT, which is empty unless the build defines it.
  *
- * Where to go on: base/surface.h (the memory), draw/shapes.h, draw/polygon.h and raster/line.h (2D),
- * draw/triangle.h and draw/texture.h (shaded and textured triangles, the fast kernels),
+ * Where to go on: base/surface.h (the memory), draw/shapes.h, draw/round.h, draw/polygon.h and
+ * raster/line.h (2D), draw/triangle.h and draw/texture.h (shaded and textured triangles, the fast kernels),
  * draw/staged.h and fragment/sampler.h (any state: stencil, fog, blending, any texture), draw/mesh.h,
  * vertex/lamp.h and vertex/elements.h (3D), draw/retained.h (geometry kept over the strips of a
  * frame), frame/multisample.h (anti-aliasing), base/paint.h, fragment/template.h and
@@ -76,6 +76,7 @@
 #include "draw/painter.h"
 #include "draw/polygon.h"
 #include "draw/retained.h"
+#include "draw/round.h"
 #include "draw/select.h"
 #include "draw/shapes.h"
 #include "draw/staged.h"
@@ -112,11 +113,13 @@
 #include "frame/shared.h"
 #include "frame/smooth.h"
 #include "frame/supersample.h"
+#include "raster/arc.h"
 #include "raster/basis.h"
 #include "raster/circle.h"
 #include "raster/clip_polygon.h"
 #include "raster/curve.h"
 #include "raster/edge_flags.h"
+#include "raster/ellipse.h"
 #include "raster/evaluate.h"
 #include "raster/halfspace.h"
 #include "raster/implicit.h"
@@ -130,6 +133,7 @@
 #include "raster/polygon.h"
 #include "raster/quadric.h"
 #include "raster/rect.h"
+#include "raster/round_rect.h"
 #include "raster/smooth.h"
 #include "raster/stroke.h"
 #include "raster/triangle.h"

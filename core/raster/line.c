@@ -126,3 +126,18 @@ void etch_polyline_draw(const struct etch_surface *s, const struct etch_point *p
     if (!moved || p[0].x != p[n - 1].x || p[0].y != p[n - 1].y)
         etch_point_draw(s, p[n - 1].x, p[n - 1].y, color);
 }
+
+void etch_polygon_draw(const struct etch_surface *s, const struct etch_point *p, size_t n,
+                       uint16_t color)
+{
+    bool moved = false;
+
+    for (size_t i = 0; i < n; i++) {
+        const struct etch_point to = p[i + 1 == n ? 0 : i + 1];
+
+        line(s, p[i], to, true, color);
+        moved = moved || p[i].x != to.x || p[i].y != to.y;
+    }
+    if (n > 0 && !moved)
+        etch_point_draw(s, p[0].x, p[0].y, color);
+}

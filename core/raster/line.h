@@ -33,4 +33,8 @@ struct etch_point {
 void etch_polyline_draw(const struct etch_surface *s, const struct etch_point *p, size_t n,
                         uint16_t color);
 
+/* The same, closed: the last line leads from p[n - 1] back to p[0]. */
+void etch_polygon_draw(const struct etch_surface *s, const struct etch_point *p, size_t n,
+                       uint16_t color);
+
 #endif

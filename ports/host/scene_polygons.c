@@ -96,12 +96,8 @@ static void draw_outline(struct etch_scene_run *run, const struct etch_scene_ste
     const uint16_t color = etch_scene_color(run, p->rgb);
     const struct etch_point *v = p->v;
 
-    for (uint16_t i = 0; i < p->contours; v += p->size[i++]) {
-        const struct etch_point back[2] = {v[p->size[i] - 1], v[0]};
-
-        etch_polyline_draw(&run->surface, v, p->size[i], color);
-        etch_polyline_draw(&run->surface, back, 2, color);
-    }
+    for (uint16_t i = 0; i < p->contours; v += p->size[i++])
+        etch_polygon_draw(&run->surface, v, p->size[i], color);
 }
 
 static bool read_outline(struct etch_scene_reader *reader,
@@ -220,7 +216,7 @@ static bool read_fill(struct etch_scene_reader *reader,
 }
 
 const struct etch_scene_statement etch_scene_polygon_statements[] = {
-    {"polygon", read_outline, draw_outline, "etch_polyline_draw", NULL},
+    {"polygon", read_outline, draw_outline, "etch_polygon_draw", NULL},
     {"fillpolygon", read_fill, NULL, NULL, NULL},
     {NULL, NULL, NULL, NULL, NULL},
 };

@@ -6,6 +6,7 @@
  *      scene_frame.c     scene strip format frac clear cleardepth clearstencil
  *      scene_shapes.c    point line rect fillrect circle disc triangle filltriangle
  *      scene_toolkit.c   smooth solid
+ *      scene_fill.c      fill draw
  *      scene_state.c     state
  *      scene_texture.c   texture
  *      scene_triangles.c tri ctri
@@ -154,6 +155,7 @@ void etch_scene_textures_free(struct etch_scene *scene);
 extern const struct etch_scene_statement etch_scene_frame_statements[];
 extern const struct etch_scene_statement etch_scene_shape_statements[];
 extern const struct etch_scene_statement etch_scene_toolkit_statements[];
+extern const struct etch_scene_statement etch_scene_fill_statements[];
 extern const struct etch_scene_statement etch_scene_state_statements[];
 extern const struct etch_scene_statement etch_scene_triangle_statements[];
 extern const struct etch_scene_statement etch_scene_view_statements[];

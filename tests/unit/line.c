@@ -252,7 +252,7 @@ static void polylines_write_joints_once(void)
         const struct etch_rect w = windows[i % 4];
         const size_t n = (size_t)test_range(&seed, 0, 6);
         picker *pick = i % 5 == 0 ? pick_far : i % 5 == 1 ? pick_near : pick_inside;
-        struct etch_point p[6];
+        struct etch_point p[7];
         size_t k;
 
         open_window(&seed, i);
@@ -266,6 +266,10 @@ static void polylines_write_joints_once(void)
             p[n - 1] = p[0];
         etch_polyline_draw(&canvas.surface, p, n, TEST_INK);
         compare_polyline(p, n);
+        p[n] = p[0];
+        test_canvas_wipe(&canvas);
+        etch_polygon_draw(&canvas.surface, p, n, TEST_INK);
+        compare_polyline(p, n > 0 ? n + 1 : 0);
     }
 }
 

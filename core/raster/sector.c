@@ -1,0 +1,125 @@
+/* raster/sector.c: rows of sectors. Called by arcs and pies. See sector.h.
+ *
+ * For a ray u the half turn [u, u + 1/2) is { p : u x p > 0 } and the ray itself. On row b, with u_y > 0, these
+ * are the columns
+ *
+ *      x < b u_x / u_y       and x == b u_x / u_y too if b > 0, where the ray is
+ *
+ * that is x < cut(b) with cut = floor + 1 below the centre and ceil at and above it; the opposite ray has the
+ * rest. The least u_y > 0 is 102,943 2^-30, so |b u_x / u_y| < 10,431 2^16 < 2^30. A sector of up to half a
+ * turn is what the half turn of its first ray has and that of its last ray has not; a larger one is all but
+ * the sector that is left. */
+#include "sector.h"
+#include "../base/trig.h"
+
+#define FAR (INT32_C(1) << 20) /* beyond every column, from every centre */
+
+static void ray_init(struct etch_sector_ray *r, uint16_t angle)
+{
+    const uint32_t a = angle;
+    const bool up = a == 0 || a > 32768;
+    const uint16_t down = (uint16_t)((up ? a + 32768 : a) & 65535); /* above 0, up to half a turn */
+
+    r->dx = etch_cos_q30(down);
+    r->dy = etch_sin_q30(down);
+    r->clockwise_is_left = !up;
+    if (r->dy == 0)
+        return;
+    r->quotient = r->dx / r->dy;
+    r->remainder = r->dx % r->dy;
+    if (r->remainder < 0) {
+        r->remainder += r->dy;
+        r->quotient--;
+    }
+}
+
+static void ray_place(struct etch_sector_ray *r, int32_t b)
+{
+    const int64_t n = etch_mul_s32(r->dx, b);
+
+    if (r->dy == 0)
+        return;
+    const struct etch_quotient q = etch_divide_u64((uint64_t)(n < 0 ? -n : n), (uint64_t)r->dy);
+
+    r->x = (int32_t)q.quotient;
+    r->e = (int32_t)q.remainder;
+    if (n < 0) {
+        r->x = -r->x - (r->e != 0);
+        r->e = r->e != 0 ? r->dy - r->e : 0;
+    }
+}
+
+static void ray_step(struct etch_sector_ray *r)
+{
+    if (r->dy == 0)
+        return;
+    r->x += r->quotient;
+    r->e += r->remainder; /* both below 2^30 */
+    if (r->e >= r->dy) {
+        r->e -= r->dy;
+        r->x++;
+    }
+}
+
+/* A level ray points to the left (half a turn). */
+static int32_t ray_cut(const struct etch_sector_ray *r, int32_t b)
+{
+    if (r->dy == 0)
+        return b == 0 ? 0 : b > 0 ? -FAR : FAR;
+    return r->x + (b > 0 || r->e != 0);
+}
+
+static void place(struct etch_sector *s, int32_t b)
+{
+    if (b == s->b + 1) {
+        ray_step(&s->first);
+        ray_step(&s->last);
+    } else {
+        ray_place(&s->first, b);
+        ray_place(&s->last, b);
+    }
+    s->b = b;
+}
+
+void etch_sector_init(struct etch_sector *s, uint16_t from, uint32_t sweep)
+{
+    const uint16_t to = (uint16_t)((from + (sweep & 65535)) & 65535);
+
+    s->all = sweep >= 65536;
+    s->inverted = sweep > 32768;
+    ray_init(&s->first, s->inverted ? to : from);
+    ray_init(&s->last, s->inverted ? from : to);
+    s->b = -FAR;
+}
+
+void etch_sector_add(struct etch_sector *s, struct etch_row *row, int32_t cx, int32_t b, int32_t x0,
+                     int32_t x1)
+{
+    int32_t low = -FAR, high = FAR, cut;
+
+    if (s->all) {
+        etch_row_add(row, x0, x1);
+        return;
+    }
+    if (b != s->b)
+        place(s, b);
+    cut = ray_cut(&s->first, b);
+    if (s->first.clockwise_is_left)
+        high = cut;
+    else
+        low = cut;
+    cut = ray_cut(&s->last, b);
+    if (s->last.clockwise_is_left)
+        low = cut > low ? cut : low;
+    else
+        high = cut < high ? cut : high;
+    low += cx, high += cx;
+    if (s->inverted && low < high) {
+        etch_row_add(row, x0, low < x1 ? low : x1);
+        etch_row_add(row, high > x0 ? high : x0, x1);
+    } else if (!s->inverted) {
+        etch_row_add(row, low > x0 ? low : x0, high < x1 ? high : x1);
+    } else {
+        etch_row_add(row, x0, x1);
+    }
+}

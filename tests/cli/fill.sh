@@ -1,0 +1,17 @@
+# tests/cli: fill and draw. Sourced by run.
+
+scene '2: shape is missing' 'scene 8 8\nfill\n'
+scene '2: shape: "star" is unknown' 'scene 8 8\nfill star 1 2 3\n'
+scene '2: shape: "disc" is unknown' 'scene 8 8\ndraw disc 1 1 1 1 2 3\n'
+scene '2: ry is missing' 'scene 8 8\nfill ellipse 1 1 1\n'
+scene '2: rx: "40000" is not' 'scene 8 8\nfill ellipse 1 1 40000 1 1 2 3\n'
+scene '2: from: "65536" is not' 'scene 8 8\nfill pie 1 1 3 65536 1 1 2 3\n'
+scene '2: sweep: "65537" is not' 'scene 8 8\ndraw arc 1 1 3 0 65537 1 2 3\n'
+scene '2: sweep: "-1" is not' 'scene 8 8\ndraw arc 1 1 3 0 -1 1 2 3\n'
+scene '2: b is missing' 'scene 8 8\nfill ring 1 1 3 2 1 2\n'
+draws 'fill ellipse' 'scene 5 1\nfill ellipse 2 0 1 5 255 0 0\n' '000000f800f800f80000'
+draws 'draw ellipse' 'scene 5 1\ndraw ellipse 2 0 2 3 255 0 0\n' '00f800000000000000f8'
+draws 'fill roundrect' 'scene 4 1\nfill roundrect 0 0 4 3 1 255 0 0\n' '000000f800f80000'
+draws 'fill pie of no sweep' 'scene 2 1\nfill pie 0 0 5 0 0 255 0 0\n' '00000000'
+draws 'draw line' 'scene 3 1\ndraw line 0 0 1 0 255 0 0\n' '00f800f80000'
+draws 'swapped' 'scene 3 1\nformat rgb565_swapped\nfill ring 0 0 2 0 255 0 0\n' '000000f800f8'
