@@ -102,8 +102,7 @@ static const struct etch_scene_pipeline table[] = {
     ROWS(ALWAYS, 1, always),
 };
 
-/* Whether the state asks for what only stages do. */
-static bool is_beyond(const struct etch_scene_state *state)
+bool etch_scene_pipeline_needs_stages(const struct etch_scene_state *state)
 {
     return state->blend != 0 || state->stencil != 0 || state->atest != 0 || state->fog != 0 ||
            state->logic != 0 || state->color_mask != UINT16_MAX;
@@ -113,7 +112,7 @@ const struct etch_scene_pipeline *etch_scene_pipeline_find(const struct etch_sce
 {
     const uint8_t zwrite = state->ztest == OFF ? 0 : state->zwrite; /* off does not write */
 
-    if (is_beyond(state)) {
+    if (etch_scene_pipeline_needs_stages(state)) {
         return NULL;
     }
     if (state->tex != 0) {
@@ -138,7 +137,8 @@ etch_scene_pipeline_find_blend(const struct etch_scene_state *state)
     struct etch_scene_state opaque = *state;
 
     opaque.blend = 0;
-    return state->blend == 1 && state->ztest == OFF && state->tex == 0 && !is_beyond(&opaque)
+    return state->blend == 1 && state->ztest == OFF && state->tex == 0 &&
+                   !etch_scene_pipeline_needs_stages(&opaque)
                ? &blends[state->shade]
                : NULL;
 }

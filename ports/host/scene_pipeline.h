@@ -26,8 +26,9 @@ struct etch_scene_state {
     uint8_t mipmap;        /* off on */
     uint8_t atest;         /* off on */
     uint8_t atest_reference;
-    uint8_t mode; /* precise fast exact fast8 */
-    uint8_t fog;  /* off linear exp */
+    uint8_t mode;   /* precise fast exact fast8 */
+    uint8_t dither; /* off on */
+    uint8_t fog;    /* off linear exp */
     uint8_t fog_color[3];
     uint8_t logic; /* off clear and .. */
     uint16_t fog_start, fog_end;
@@ -53,6 +54,15 @@ struct etch_scene_pipeline {
 
 /* The row that draws with this state, NULL if no fused kernel does. */
 const struct etch_scene_pipeline *etch_scene_pipeline_find(const struct etch_scene_state *state);
+
+/* Whether the state asks for what only stages do. */
+bool etch_scene_pipeline_needs_stages(const struct etch_scene_state *state);
+
+/* Whether the state asks for exact values or dithering, and the row for that, NULL if there is none:
+ * they have no textures, no stages, and of the depth tests off, less and lequal that write. */
+bool etch_scene_mode_is_special(const struct etch_scene_state *state);
+const struct etch_scene_pipeline *
+etch_scene_pipeline_find_mode(const struct etch_scene_state *state);
 
 /* The same for triangles alone, blended by alpha without depth. */
 const struct etch_scene_pipeline *

@@ -55,6 +55,24 @@ static const struct etch_scene_pipeline *find_fused(const struct etch_scene_read
                              : etch_scene_pipeline_find(state);
 }
 
+/* What draws exact values or dithered ones: there are no stages for them. */
+static const struct etch_scene_pipeline *find_special(struct etch_scene_reader *reader,
+                                                      struct etch_scene_differs differs)
+{
+    const struct etch_scene_state *state = &reader->state;
+    const struct etch_scene_pipeline *pipeline = etch_scene_pipeline_find_mode(state);
+
+    if (pipeline == NULL ||
+        (state->shade == 0 && state->persp != 0 && differs.w && differs.color)) {
+        (void)etch_text_fail(
+            &reader->text,
+            "\"state mode exact\" and \"state dither on\" draw colours that are linear "
+            "on the screen, with ztest off, less or lequal and no other state");
+        return NULL;
+    }
+    return pipeline;
+}
+
 static bool is_same(const struct etch_scene_staged *staged, const struct etch_scene_reader *reader,
                     struct etch_scene_differs differs)
 {
@@ -102,17 +120,12 @@ static const struct etch_scene_pipeline *note_planes(struct etch_scene_reader *r
     return pipeline;
 }
 
-const struct etch_scene_pipeline *
-etch_scene_read_triangle_pipeline(struct etch_scene_reader *reader,
-                                  struct etch_scene_differs differs)
+/* A fused kernel, or stages. */
+static const struct etch_scene_pipeline *find_usual(struct etch_scene_reader *reader,
+                                                    struct etch_scene_differs differs)
 {
     const struct etch_scene_pipeline *pipeline;
 
-    if (reader->state.mode == 2) {
-        (void)etch_text_fail(&reader->text,
-                             "drawing with this \"state mode\" is not supported yet");
-        return NULL;
-    }
     if (reader->state.tex != 0 && reader->texture == NULL) {
         (void)etch_text_fail(&reader->text, "\"state tex\" is on, but there is no texture");
         return NULL;
@@ -123,8 +136,19 @@ etch_scene_read_triangle_pipeline(struct etch_scene_reader *reader,
         return NULL;
     }
     pipeline = find_fused(reader, differs);
-    if (pipeline == NULL) {
-        pipeline = take_staged(reader, differs);
+    return pipeline != NULL ? pipeline : take_staged(reader, differs);
+}
+
+const struct etch_scene_pipeline *
+etch_scene_read_triangle_pipeline(struct etch_scene_reader *reader,
+                                  struct etch_scene_differs differs)
+{
+    const struct etch_scene_pipeline *pipeline;
+
+    if (etch_scene_mode_is_special(&reader->state)) {
+        pipeline = find_special(reader, differs);
+    } else {
+        pipeline = find_usual(reader, differs);
     }
     return note_planes(reader, pipeline);
 }
@@ -138,6 +162,7 @@ const struct etch_scene_pipeline *etch_scene_read_line_pipeline(struct etch_scen
     reader->state.shade = 0; /* what is flat has equal vertices */
     reader->state.tex = 0;
     reader->state.mode = 0;
+    reader->state.dither = 0;
     pipeline = etch_scene_pipeline_find(&reader->state);
     if (pipeline == NULL) {
         reader->state.shade = state.shade == 1;

@@ -22,6 +22,7 @@ static const char *const filters[] = {"nearest", "linear", NULL};
 static const char *const wraps[] = {"repeat", "clamp", "mirror", NULL};
 static const char *const wraps_v[] = {"same", "repeat", "clamp", "mirror", NULL};
 static const char *const off_on[] = {"off", "on", NULL};
+static const char *const dithers[] = {"off", "on", NULL};
 static const char *const modes[] = {"precise", "fast", "exact", "fast8", NULL};
 
 static const struct choice choices[] = {
@@ -37,6 +38,7 @@ static const struct choice choices[] = {
     {"wrapv", offsetof(struct etch_scene_state, wrap_v), wraps_v},
     {"mipmap", offsetof(struct etch_scene_state, mipmap), off_on},
     {"mode", offsetof(struct etch_scene_state, mode), modes},
+    {"dither", offsetof(struct etch_scene_state, dither), dithers},
 };
 
 static bool read_choice(struct etch_scene_reader *reader, const struct choice *choice)

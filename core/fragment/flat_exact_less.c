@@ -1,0 +1,11 @@
+/* fragment/flat_exact_less.c: one colour where nearer, depths correctly rounded. See exact.h. */
+#include "exact.h"
+#include "flat_span.h"
+
+void etch_kernel_flat_exact_less(const struct etch_surface *surface, int16_t y0,
+                                 const struct etch_run *runs, uint8_t n,
+                                 const struct etch_paint *paint)
+{
+    etch_depth_exact_rows_less(surface, y0, runs, n, paint,
+                               &((const struct etch_flat_exact_paint *)paint)->depth, flat_span);
+}
