@@ -84,6 +84,10 @@ struct etch_display {
      * when the frame may be sent without tearing, e.g. after the pulse of the tearing-effect
      * line and the pause that etch_scan_plan gives (hal/scan.h). An error ends the frame. */
     int (*sync)(const struct etch_display *display);
+
+    /* Several workers (hal/workers.h) send their strips from the top to the bottom, as one would;
+     * those of a display with `sync` do so anyway. */
+    bool in_order;
 };
 
 /* The pixel value of an 8-bit colour on this display, for the drawing functions' `color`. */

@@ -25,7 +25,7 @@
 #ifndef ETCH_HAL_FRAME_H
 #define ETCH_HAL_FRAME_H
 
-#include "display.h"
+#include "strips.h"
 
 /* The caller's memory, which must stay valid as long as the frame loop is used. */
 struct etch_frame_memory {
@@ -46,18 +46,17 @@ struct etch_frame_memory {
 struct etch_frame {
     const struct etch_display *display;
     struct etch_frame_memory memory;
-    struct etch_surface surface;   /* the strip in hand; its window is empty if there is none */
-    struct etch_rect area, whole;  /* area in hand; the only one of a whole frame */
-    const struct etch_rect *areas; /* those to come, */
-    uint16_t left;                 /* and how many */
-    uint16_t *direct;              /* memory of a direct display during a frame */
-    uint16_t stride;               /* of the planes; a flushed strip is as wide as the frame */
-    int16_t rows;                  /* in a strip */
-    uint8_t index;                 /* buffer of the strip in hand */
-    bool sending;                  /* flush was called and wait not since */
-    bool synced;                   /* the display was asked when to begin */
-    bool open;                     /* begun, and not ended */
-    int status;                    /* first error of this frame */
+    struct etch_surface surface; /* the strip in hand; its window is empty if there is none */
+    struct etch_strips strips;   /* to come */
+    struct etch_rect whole;      /* the only area of a whole frame */
+    uint16_t *direct;            /* memory of a direct display during a frame */
+    uint32_t size;               /* most elements in a strip */
+    uint16_t stride;             /* of the planes; a flushed strip is as wide as its area */
+    uint8_t index;               /* buffer of the strip in hand */
+    bool sending;                /* flush was called and wait not since */
+    bool synced;                 /* the display was asked when to begin */
+    bool open;                   /* begun, and not ended */
+    int status;                  /* first error of this frame */
 };
 
 /* Prepares a frame loop over `display`, which must stay valid; calls none of its functions.

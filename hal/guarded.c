@@ -6,9 +6,9 @@ int etch_guarded_start(struct etch_guarded *g, struct etch_pieces *pieces)
 {
     int status;
 
-    g->monitor->enter(g->monitor);
+    etch_monitor_enter(g->monitor);
     status = etch_transfer_start(&g->transfer, pieces);
-    g->monitor->leave(g->monitor);
+    etch_monitor_leave(g->monitor);
     return status;
 }
 
@@ -16,12 +16,12 @@ bool etch_guarded_done(struct etch_guarded *g, uint8_t number, int status)
 {
     bool mine;
 
-    g->monitor->enter(g->monitor);
+    etch_monitor_enter(g->monitor);
     mine = etch_transfer_done(&g->transfer, number, status);
     if (mine) {
-        g->monitor->signal(g->monitor); /* after a piece, too: the limit begins again */
+        etch_monitor_signal(g->monitor); /* after a piece, too: the limit begins again */
     }
-    g->monitor->leave(g->monitor);
+    etch_monitor_leave(g->monitor);
     return mine;
 }
 
@@ -29,16 +29,16 @@ static int pause(void *context)
 {
     const struct etch_guarded *g = context;
 
-    return g->monitor->wait(g->monitor, g->limit_ms);
+    return etch_monitor_wait(g->monitor, g->limit_ms);
 }
 
 int etch_guarded_wait(struct etch_guarded *g)
 {
     int status;
 
-    g->monitor->enter(g->monitor);
+    etch_monitor_enter(g->monitor);
     status = etch_transfer_wait(&g->transfer, pause, g);
-    g->monitor->leave(g->monitor);
+    etch_monitor_leave(g->monitor);
     return status;
 }
 
@@ -46,22 +46,22 @@ int etch_turn_take(struct etch_turn *turn, uint16_t limit_ms)
 {
     int status = ETCH_OK;
 
-    turn->monitor->enter(turn->monitor);
+    etch_monitor_enter(turn->monitor);
     while (turn->taken && status >= 0) {
-        status = turn->monitor->wait(turn->monitor, limit_ms);
+        status = etch_monitor_wait(turn->monitor, limit_ms);
     }
     if (!turn->taken) {
         turn->taken = true;
         status = ETCH_OK;
     }
-    turn->monitor->leave(turn->monitor);
+    etch_monitor_leave(turn->monitor);
     return status;
 }
 
 void etch_turn_give(struct etch_turn *turn)
 {
-    turn->monitor->enter(turn->monitor);
+    etch_monitor_enter(turn->monitor);
     turn->taken = false;
-    turn->monitor->signal(turn->monitor);
-    turn->monitor->leave(turn->monitor);
+    etch_monitor_signal(turn->monitor);
+    etch_monitor_leave(turn->monitor);
 }

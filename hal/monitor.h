@@ -36,4 +36,24 @@ struct etch_monitor {
     void (*signal)(const struct etch_monitor *monitor);
 };
 
+ETCH_INLINE void etch_monitor_enter(const struct etch_monitor *monitor)
+{
+    monitor->enter(monitor);
+}
+
+ETCH_INLINE void etch_monitor_leave(const struct etch_monitor *monitor)
+{
+    monitor->leave(monitor);
+}
+
+ETCH_INLINE int etch_monitor_wait(const struct etch_monitor *monitor, uint16_t limit_ms)
+{
+    return monitor->wait(monitor, limit_ms);
+}
+
+ETCH_INLINE void etch_monitor_signal(const struct etch_monitor *monitor)
+{
+    monitor->signal(monitor);
+}
+
 #endif

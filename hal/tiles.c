@@ -167,6 +167,7 @@ int etch_tiles_init(struct etch_tiles *t, const struct etch_display *inner,
     t->display.flush = flush;
     t->display.wait = wait;
     t->display.sync = inner->sync != NULL ? sync : NULL;
+    t->display.in_order = true; /* the turn of `refresh` begins with row 0 */
     etch_tiles_forget(t);
     return ETCH_OK;
 }

@@ -9,7 +9,8 @@ const char *const *scene_paths;
 int scene_count;
 
 extern const struct test_suite test_suites[];
-const struct test_suite test_suites[] = {{"tasks", suite_tasks}, {NULL, NULL}};
+const struct test_suite test_suites[] = {
+    {"tasks", suite_tasks}, {"workers", suite_workers}, {NULL, NULL}};
 
 void test_write(const char *text)
 {

@@ -26,8 +26,7 @@ void station_close(struct station *s)
     etch_panel_close(&s->panel);
 }
 
-/* Each task reads its scene itself: what a scene keeps while it draws is then its own. */
-static void open_scene(struct etch_scene *scene, const char *path, uint8_t format)
+void scene_open(struct etch_scene *scene, const char *path, uint8_t format)
 {
     struct etch_error error;
 
@@ -35,6 +34,12 @@ static void open_scene(struct etch_scene *scene, const char *path, uint8_t forma
         stop(path);
     if (scene->width != WIDTH || scene->height != HEIGHT)
         stop("not a scene of 320 x 240");
+}
+
+void scene_draw(const struct etch_scene *scene, struct etch_surface *strip)
+{
+    if (!etch_scene_draw(scene, strip, NULL))
+        stop("no memory to draw");
 }
 
 void station_draw(struct station *s, const char *path)
@@ -45,13 +50,12 @@ void station_draw(struct station *s, const char *path)
                                              .size = STRIP};
     struct etch_frame frame;
 
-    open_scene(&s->scene, path, s->lcd.display.format);
+    scene_open(&s->scene, path, s->lcd.display.format);
     s->status = etch_frame_init(&frame, &s->lcd.display, memory);
     if (s->status == 0) {
         for (struct etch_surface *strip = etch_frame_begin(&frame); strip != NULL;
              strip = etch_frame_next(&frame))
-            if (!etch_scene_draw(&s->scene, strip, NULL))
-                stop("no memory to draw");
+            scene_draw(&s->scene, strip);
         s->status = etch_frame_end(&frame);
     }
     etch_scene_close(&s->scene);
@@ -66,13 +70,12 @@ static void draw_alone(const char *path, uint16_t *pixels)
     struct etch_scene scene;
     struct etch_surface surface;
 
-    open_scene(&scene, path, ETCH_FORMAT_RGB565);
+    scene_open(&scene, path, ETCH_FORMAT_RGB565);
     if (etch_surface_init(&surface, pixels, window, WIDTH) != ETCH_OK)
         stop("no surface");
     surface.depth = depth;
     surface.stencil = stencil;
-    if (!etch_scene_draw(&scene, &surface, NULL))
-        stop("no memory to draw");
+    scene_draw(&scene, &surface);
     etch_scene_close(&scene);
 }
 

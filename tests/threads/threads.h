@@ -34,6 +34,13 @@ void station_close(struct station *s);
 /* Draws a scene's frame on it: by the calling thread, whose transfers run beside it. */
 void station_draw(struct station *s, const char *path);
 
+/* Reads a scene, in a format (enum etch_format); one that cannot be read ends the program. Each
+ * thread reads its own: what a scene keeps while it is drawn is then nobody else's. */
+void scene_open(struct etch_scene *scene, const char *path, uint8_t format);
+
+/* Draws a scene on a strip; no memory for it ends the program. */
+void scene_draw(const struct etch_scene *scene, struct etch_surface *strip);
+
 /* Fails the test unless the glass shows the scene as one thread draws it. */
 void station_check(const struct station *s, const char *path);
 

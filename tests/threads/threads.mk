@@ -3,7 +3,7 @@ THREADS     := $(BUILD)/threads-test
 THREADS_SRC := $(sort $(wildcard tests/threads/*.c ports/pthread/*.c)) tests/harness/harness.c
 THREADS_OBJ := $(call obj,$(THREADS_SRC))
 # Scenes of 320 x 240 that differ in what they use.
-THREADS_SCENES := $(patsubst %,tests/scenes/%.scene,shapes text teapot curves)
+THREADS_SCENES := $(patsubst %,tests/scenes/%.scene,shapes text teapot)
 
 $(THREADS): $(THREADS_OBJ) $(SIMLIB) $(LIB)
 	$(Q)$(CC) $(OPT) $(EXTRA) $^ -lpthread -o $@
