@@ -61,7 +61,9 @@ void etch_painter_init(struct etch_painter *p, struct etch_painter_triangle *tri
  * and on the screen, from extents (a few comparisons) to plane tests (64-bit products). After
  * a cut the tests begin anew, and triangles that all pierce each other come to as many pieces as
  * the cube of their number, so give no more room than there is time for: a cut that finds none is
- * the last one that is tried. */
+ * the last one that is tried. On a desktop 20000 small triangles, of which 1800 are cut, take
+ * 0.02 s; 400 large ones that all pierce each other, 0.2 s with room for 4096, 7 s with room for
+ * 16384, and minutes with room for 65534. */
 enum etch_status etch_painter_sort(struct etch_painter *p);
 
 /* Hands the triangles to to->triangle, from far to near. As often as wanted. */

@@ -15,11 +15,10 @@ enum etch_status etch_fog_exponential_init(struct etch_fog_exponential *fog, etc
 {
     if (density < 0)
         return ETCH_EINVAL;
-    /* 2^(32 - 16 - 16 + 30): density q16, 2^30 of the constant, one 2^16 in it */
-    const uint64_t rate = (uint64_t)etch_mul_s32(density, (int32_t)LOG2E_Q30) >> 30;
-
+    /* 2^(32 - 16 - 16 + 30): density q16, 2^30 of the constant, one 2^16 in it; below
+       2^31 * 1.4427, which fits */
     etch_fog_color(fog->color, r, g, b);
-    fog->rate = rate < UINT32_MAX ? (uint32_t)rate : UINT32_MAX;
+    fog->rate = (uint32_t)((uint64_t)etch_mul_s32(density, (int32_t)LOG2E_Q30) >> 30);
     return ETCH_OK;
 }
 

@@ -29,6 +29,9 @@ uint32_t etch_mipmap_texels(uint16_t width, uint16_t height);
  * mask into `alpha` (else not read); both hold `capacity` texels. The image becomes level 0.
  * A texel is the mean of the part of level 0 that it covers, texels at its border counting by their
  * part, each channel rounded to nearest once, half up: levels do not round one another's roundings.
+ * Colours are not weighted by alpha: a transparent texel's colour counts like any other, so give
+ * transparent texels the colour of what they border on, or a fringe of theirs shows at edges that
+ * are blended or cut by the alpha test.
  * ETCH_EINVAL if the image is not etch_image_valid or memory is NULL, ETCH_ENOMEM if capacity is
  * below etch_mipmap_texels; *m is then left as it was. Time: all of the image for each level; on
  * small machines build offline. */
