@@ -13,6 +13,12 @@
  *      palette, 4    etch_texels_index4     NULL                     16 colours, two texels a byte:
  *       + alpha      etch_texels_index4     etch_texels_alpha4         texel row * stride + column,
  *                                                                      even ones in the low half
+ *      palette, 2    etch_texels_index2     NULL                     4 colours, first in low bits
+ *      palette, 1    etch_texels_index1     NULL                     2 colours, first in low bits
+ *      RGB565, key   etch_texels_rgb565     etch_texels_unlike       transparent: palette[0]; `alpha`
+ *                                                                      is not NULL, not read
+ *      mask, 8       etch_texels_ink        etch_texels_mask         alpha: a byte a texel; the colour
+ *      mask, 4       etch_texels_ink        etch_texels_mask4          palette[0]; `texels` not read
  *
  *      filter        etch_filter_nearest, etch_filter_linear
  *      wrap          etch_texels_repeat, etch_texels_clamp, etch_texels_mirror; faster where the
@@ -52,8 +58,10 @@ etch_texel_wrap etch_texels_clamp;
 etch_texel_wrap etch_texels_mirror;
 etch_texel_wrap etch_texels_mirror_power;
 
-etch_texel_colors etch_texels_rgb565, etch_texels_index8, etch_texels_index4;
-etch_texel_alphas etch_texels_mask, etch_texels_alpha8, etch_texels_alpha4;
+etch_texel_colors etch_texels_rgb565, etch_texels_index8, etch_texels_index4, etch_texels_index2;
+etch_texel_colors etch_texels_index1, etch_texels_ink;
+etch_texel_alphas etch_texels_mask, etch_texels_mask4, etch_texels_alpha8, etch_texels_alpha4;
+etch_texel_alphas etch_texels_unlike;
 
 /* Where a filter writes, in the formats of a chunk. a is only written if the image has alpha. */
 struct etch_texels {
@@ -70,9 +78,7 @@ etch_texel_filter etch_filter_nearest;
 /* The four texels round (u, v), weighted by how near their centres are, as OpenGL's GL_LINEAR: at
  * the centre of a texel that texel, exactly. Weights have 11 bits and sum to 1: the result errs by
  * at most 1/1024 of the greatest difference between the four texels, and 1/2 unit of the chunk's
- * formats, against exact rational weights. Colours and alpha are weighted alike and apart: colours
- * are not multiplied by alpha first, so the colour of transparent texels shows at the edge of what
- * is opaque (mipmap.h says what to do). 420 bytes of stack on ARM. */
+ * formats, against exact rational weights. 420 bytes of stack on ARM. */
 etch_texel_filter etch_filter_linear;
 
 /* The same, fused for opaque RGB565 with sides that are powers of two, repeated, in half the time;

@@ -127,6 +127,48 @@ ETCH_INLINE uint8_t etch_texel_alpha4(const struct etch_image *image, uint32_t p
     return image->alpha[etch_texel_nibble(image, place)];
 }
 
+/* Two bits and one, the first texel of a byte in its lowest bits. */
+ETCH_INLINE uint8_t etch_texel_pair(const struct etch_image *image, uint32_t place)
+{
+    return (uint8_t)((uint32_t)etch_texel_byte(image, place >> 2) >> (place & 3) * 2 & 3);
+}
+
+ETCH_INLINE uint8_t etch_texel_bit(const struct etch_image *image, uint32_t place)
+{
+    return (uint8_t)((uint32_t)etch_texel_byte(image, place >> 3) >> (place & 7) & 1);
+}
+
+ETCH_INLINE uint16_t etch_texel_index2(const struct etch_image *image, uint32_t place)
+{
+    return image->palette[etch_texel_pair(image, place)];
+}
+
+ETCH_INLINE uint16_t etch_texel_index1(const struct etch_image *image, uint32_t place)
+{
+    return image->palette[etch_texel_bit(image, place)];
+}
+
+/* One colour, for masks. */
+ETCH_INLINE uint16_t etch_texel_ink(const struct etch_image *image, uint32_t place)
+{
+    (void)place;
+    return image->palette[0];
+}
+
+/* A plane of alpha with 4 bits a texel, even ones in the low half. */
+ETCH_INLINE uint8_t etch_texel_mask4(const struct etch_image *image, uint32_t place)
+{
+    const uint32_t pair = image->alpha[place >> 1];
+
+    return (uint8_t)(((place & 1) != 0 ? pair >> 4 : pair & 15) * 17);
+}
+
+/* 0 where an RGB565 texel has the key colour palette[0], 255 elsewhere. */
+ETCH_INLINE uint8_t etch_texel_unlike(const struct etch_image *image, uint32_t place)
+{
+    return etch_texel_rgb565(image, place) == image->palette[0] ? 0 : 255;
+}
+
 /* Defines an etch_texel_colors (type uint16_t) or etch_texel_alphas (uint8_t). */
 #define ETCH_TEXEL_FORMAT(name, type, texel)                                                       \
     void name(type *out, const uint16_t *column, const uint16_t *row, uint16_t n,                  \
