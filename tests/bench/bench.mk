@@ -119,15 +119,18 @@ bench-selftest: $(W8_W11:%=$(BENCH)/m0plus-portable/%/counts.txt) ## proves the 
 LEAVES        := $(BENCH)/leaves
 LEAF_PORTABLE := base/fill fragment/flat fragment/gouraud raster/line_walk \
                  fragment/depth_rows_less fragment/depth_rows_lequal \
-                 fragment/gouraud_narrow_less fragment/gouraud_narrow_lequal raster/edge_run
+                 fragment/gouraud_narrow_less fragment/gouraud_narrow_lequal raster/edge_run \
+                 raster/basis_color
 LEAF_NAMES    := etch_fill_rows etch_kernel_flat etch_kernel_gouraud etch_line_walk \
                  etch_depth_rows_less etch_depth_rows_lequal \
-                 etch_gouraud_narrow_less etch_gouraud_narrow_lequal etch_edge_run
+                 etch_gouraud_narrow_less etch_gouraud_narrow_lequal etch_edge_run \
+                 etch_basis_color
 $(LEAVES)/%.o: $(BENCH)/m0plus-portable/core/%.o
 	@mkdir -p $(@D)
 	@$(ARM)objcopy $(foreach n,$(LEAF_NAMES),--redefine-sym $(n)=portable_$(n)) $< $@
 $(LEAVES)/leaves.elf: $(BENCH_SRC)/leaves.c $(BENCH_SRC)/start.c linker/mps2.ld \
-    $(LEAF_PORTABLE:%=$(LEAVES)/%.o) $(BENCH)/m0plus-portable/core/base/surface.o \
+    $(LEAF_PORTABLE:%=$(LEAVES)/%.o) \
+    $(foreach n,base/surface raster/basis raster/triangle_setup,$(BENCH)/m0plus-portable/core/$(n).o) \
     $(foreach n,$(notdir $(LEAF_PORTABLE)),$(BENCH)/m0plus-best/core/leaf/armv6m/$(n).o)
 	@$(BENCH_CC_m0plus) $(filter-out -MMD -MP,$(BENCH_FLAGS)) -ffreestanding -nostdlib \
 	    -Wl,--gc-sections -T linker/mps2.ld $(filter %.c %.o,$^) -lgcc -o $@
@@ -138,7 +141,7 @@ CHECK_STEPS += bench-leaves
 bench-leaves: $(LEAVES)/leaves.elf ## proves the leaf loops of ARMv6-M against the portable C
 	@QEMU_AUDIO_DRV=none timeout 300 qemu-system-arm -M mps2-an385 -display none -monitor none \
 	    -serial none -semihosting-config enable=on,target=native -kernel $<
-	@echo "4200 calls of leaf loops write what the portable C writes"
+	@echo "5400 calls of leaf loops write what the portable C writes"
 
 .PHONY: profile
 profile: $(BENCH_RUNS) ## instructions per function (W=6 CORES=m0plus; PROFILE=line, PROFILE=insn)

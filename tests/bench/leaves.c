@@ -7,6 +7,7 @@
 #include "../../core/fragment/depth_rows.h"
 #include "../../core/fragment/flat.h"
 #include "../../core/fragment/gouraud_narrow.h"
+#include "../../core/raster/basis.h"
 #include "../../core/raster/edge.h"
 #include "../../core/raster/line_walk.h"
 
@@ -20,6 +21,9 @@ etch_depth_rows portable_etch_depth_rows_less, portable_etch_depth_rows_lequal;
 etch_kernel portable_etch_gouraud_narrow_less, portable_etch_gouraud_narrow_lequal;
 int16_t *portable_etch_edge_run(struct etch_point_q8 a, struct etch_point_q8 b, int16_t *out,
                                 int32_t n);
+bool portable_etch_basis_color(const struct etch_basis *b, const struct etch_triangle *t,
+                               const struct etch_vertex *const v[3], struct etch_plane *red,
+                               struct etch_plane *green, struct etch_plane *blue);
 etch_kernel portable_etch_kernel_flat, portable_etch_kernel_gouraud;
 
 static uint32_t leaf[WORDS], portable[WORDS], seed;
@@ -210,6 +214,39 @@ static bool edge_differs(void)
            differ();
 }
 
+/* Planes of triangles of every size and thickness, in and off the middle of pixels. */
+static bool basis_differs(void)
+{
+    const uint32_t size = UINT32_C(1) << (2 + below(17)), place = 1 + below(1 << 20);
+    const uint32_t grid = below(2) == 0 ? 1 : 256;
+    struct etch_vertex vertex[3];
+    const struct etch_vertex *const v[3] = {&vertex[0], &vertex[1], &vertex[2]};
+    struct etch_point_q8 p[3];
+    struct etch_triangle t;
+    struct etch_basis b;
+    struct etch_plane planes[2][3];
+
+    for (uint8_t i = 0; i < 3; i++) {
+        p[i].x = (int32_t)((place + below(size)) / grid * grid + 128);
+        p[i].y = (int32_t)((place + below(size)) / grid * grid + 128);
+        vertex[i].r = (uint8_t)wl_next(&seed);
+        vertex[i].g = (uint8_t)wl_next(&seed);
+        vertex[i].b = (uint8_t)wl_next(&seed);
+    }
+    if (!etch_triangle_setup(&t, p) || !etch_basis_setup(&b, &t))
+        return false;
+
+    const bool near = etch_basis_color(&b, &t, v, &planes[0][0], &planes[0][1], &planes[0][2]);
+
+    if (near != portable_etch_basis_color(&b, &t, v, &planes[1][0], &planes[1][1], &planes[1][2]))
+        return true;
+    for (uint8_t i = 0; i < 3; i++)
+        if (near && (planes[0][i].origin != planes[1][i].origin ||
+                     planes[0][i].dx != planes[1][i].dx || planes[0][i].dy != planes[1][i].dy))
+            return true;
+    return false;
+}
+
 int main(void)
 {
     seed = 1;
@@ -239,6 +276,9 @@ int main(void)
         for (uint32_t k = 0; k < 4; k++)
             if (edge_differs())
                 return 9;
+        for (uint32_t k = 0; k < 4; k++)
+            if (basis_differs())
+                return 10;
     }
     return 0;
 }
