@@ -2,10 +2,11 @@
  * its two halves. See mesh.h. */
 #include "mesh.h"
 
-void etch_mesh_transform(const struct etch_mesh_stage *stage, const struct etch_viewport *viewport,
-                         struct etch_mesh_vertex *buffer)
+void etch_mesh_transform_range(const struct etch_mesh_stage *stage,
+                               const struct etch_viewport *viewport,
+                               struct etch_mesh_vertex *buffer, uint16_t first, uint16_t end)
 {
-    for (uint16_t i = 0; i < stage->mesh->vertex_count; i++) {
+    for (uint16_t i = first; i < end; i++) {
         struct etch_clip_vertex v;
 
         stage->vertex(stage, i, &v);
@@ -13,6 +14,12 @@ void etch_mesh_transform(const struct etch_mesh_stage *stage, const struct etch_
         if ((buffer[i].out & ETCH_OUT_CLIP) == 0)
             etch_viewport_project(viewport, &v, &buffer[i].v);
     }
+}
+
+void etch_mesh_transform(const struct etch_mesh_stage *stage, const struct etch_viewport *viewport,
+                         struct etch_mesh_vertex *buffer)
+{
+    etch_mesh_transform_range(stage, viewport, buffer, 0, stage->mesh->vertex_count);
 }
 
 /* A triangle that crosses near, far or a guard plane goes the long way round. */

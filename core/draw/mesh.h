@@ -74,6 +74,12 @@ struct etch_mesh_vertex {
 void etch_mesh_transform(const struct etch_mesh_stage *stage, const struct etch_viewport *viewport,
                          struct etch_mesh_vertex *buffer);
 
+/* The same for vertices first .. end - 1, at most vertex_count, into their places of the same buffer:
+ * a share of the work for one of several workers. */
+void etch_mesh_transform_range(const struct etch_mesh_stage *stage,
+                               const struct etch_viewport *viewport,
+                               struct etch_mesh_vertex *buffer, uint16_t first, uint16_t end);
+
 /* Hands the visible triangles of the transformed mesh to assembly->sink, in mesh order. Reads
  * the buffer; clipped triangles run their vertex functions again. A triangle with an index
  * that is not below vertex_count is skipped: nothing outside the mesh is ever read. */

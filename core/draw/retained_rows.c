@@ -52,16 +52,18 @@ static void join_group(struct etch_mesh_row_range *list, uint16_t i)
         first->group_y1 = list[i].y1;
 }
 
-uint16_t etch_mesh_rows(const struct etch_mesh_stage *stage, const struct etch_assembly *assembly,
-                        const struct etch_mesh_vertex *buffer, struct etch_mesh_row_range *list,
-                        uint16_t room)
+uint16_t etch_mesh_rows_range(const struct etch_mesh_stage *stage,
+                              const struct etch_assembly *assembly,
+                              const struct etch_mesh_vertex *buffer,
+                              struct etch_mesh_row_range *list, uint16_t room, uint16_t first,
+                              uint16_t end)
 {
     const struct etch_mesh *const mesh = stage->mesh;
     const uint16_t count = mesh->vertex_count;
     struct etch_mesh_row_range spare;
     uint16_t n = 0;
 
-    for (uint16_t t = 0; t < mesh->triangle_count; t++) {
+    for (uint16_t t = first; t < end; t++) {
         struct etch_mesh_row_range *const range = n < room ? &list[n] : &spare;
         uint16_t index[3];
 
@@ -75,6 +77,14 @@ uint16_t etch_mesh_rows(const struct etch_mesh_stage *stage, const struct etch_a
         n++;
     }
     return n;
+}
+
+uint16_t etch_mesh_rows(const struct etch_mesh_stage *stage, const struct etch_assembly *assembly,
+                        const struct etch_mesh_vertex *buffer, struct etch_mesh_row_range *list,
+                        uint16_t room)
+{
+    return etch_mesh_rows_range(stage, assembly, buffer, list, room, 0,
+                                stage->mesh->triangle_count);
 }
 
 /* The long way, for what is clipped or takes one vertex's colour. */

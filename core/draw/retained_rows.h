@@ -28,6 +28,15 @@ uint16_t etch_mesh_rows(const struct etch_mesh_stage *stage, const struct etch_a
                         const struct etch_mesh_vertex *buffer, struct etch_mesh_row_range *list,
                         uint16_t room);
 
+/* The same for triangles first .. end - 1, at most triangle_count: a share of the work for one of
+ * several workers, who have a list each. Assembling the lists in the order of their triangles gives
+ * the order of the mesh. */
+uint16_t etch_mesh_rows_range(const struct etch_mesh_stage *stage,
+                              const struct etch_assembly *assembly,
+                              const struct etch_mesh_vertex *buffer,
+                              struct etch_mesh_row_range *list, uint16_t room, uint16_t first,
+                              uint16_t end);
+
 /* Hands those of the `count` listed that touch rows y0 .. y1 - 1 to assembly->sink. Cost on
  * ARMv6-M: 9 instructions for each of the others, or for eight of them. */
 void etch_mesh_assemble_rows(const struct etch_mesh_stage *stage,

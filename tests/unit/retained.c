@@ -160,6 +160,51 @@ static void make_mesh(uint32_t *seed)
         index_of[i] = (uint16_t)test_range(seed, 0, test_range(seed, 0, 30) ? NV - 1 : NV + 2);
 }
 
+/* As several workers do it: vertices and triangles in ranges, in any order, a list for each range;
+ * strip by strip the lists in the order of their triangles. */
+static void ranges_give_the_same_lists(void)
+{
+    const struct etch_rect frame = {0, 0, W, H};
+    uint32_t seed = 77;
+
+    for (int32_t i = 0; i < TEST_COUNT(500) && !test_failed(); i++) {
+        struct etch_assembly assembly = {.cull = (enum etch_cull)(i % 3)};
+        static struct etch_mesh_vertex by_range[NV];
+        struct etch_mesh_stage stage;
+        struct etch_matrix clip;
+        uint16_t visible, at = 0;
+        const uint16_t v = (uint16_t)test_range(&seed, 0, NV);
+        const uint16_t t = (uint16_t)test_range(&seed, 0, NT);
+
+        make_mesh(&seed);
+        CHECK_EQ(etch_viewport_init(&assembly.viewport, frame), ETCH_OK);
+        CHECK_EQ(etch_matrix_perspective_focal(&clip, ETCH_Q16_ONE, ETCH_Q16_ONE, ETCH_Q16_ONE / 4,
+                                               8 * ETCH_Q16_ONE),
+                 ETCH_OK);
+        clip.m[3][3] = ETCH_Q16_ONE;
+        etch_mesh_stage_init(&stage, &mesh, &clip, etch_vertex_plain, NULL);
+        etch_mesh_transform(&stage, &assembly.viewport, buffer);
+        visible = etch_mesh_rows(&stage, &assembly, buffer, list, NT);
+        etch_mesh_transform_range(&stage, &assembly.viewport, by_range, v, NV);
+        etch_mesh_transform_range(&stage, &assembly.viewport, by_range, 0, v);
+        for (int k = 0; k < 2; k++) {
+            static struct etch_mesh_row_range part[NT];
+            const uint16_t n = etch_mesh_rows_range(&stage, &assembly, by_range, part, NT,
+                                                    k == 0 ? 0 : t, k == 0 ? t : NT);
+
+            CHECK(at + n <= visible);
+            for (uint16_t j = 0; j < n && !test_failed(); j++, at++) {
+                CHECK_EQ(part[j].triangle, list[at].triangle);
+                CHECK_EQ(part[j].y0, list[at].y0);
+                CHECK_EQ(part[j].y1, list[at].y1);
+                CHECK(part[j - j % ETCH_MESH_ROWS_GROUP].group_y0 <= part[j].y0);
+                CHECK(part[j - j % ETCH_MESH_ROWS_GROUP].group_y1 >= part[j].y1);
+            }
+        }
+        CHECK_EQ(at, visible);
+    }
+}
+
 static void listed_triangles_draw_every_strip(void)
 {
     const struct etch_rect frame = {0, 0, W, H};
@@ -210,5 +255,6 @@ void suite_retained(void)
     RUN(set_up_triangles_draw_every_strip);
     RUN(what_finds_no_room_is_counted);
     RUN(listed_triangles_draw_every_strip);
+    RUN(ranges_give_the_same_lists);
     test_print_count("", TEST_COUNT(3000) * MOST, " triangles kept over strips of every height");
 }
