@@ -1,42 +1,20 @@
 /* tests/unit: textures through whole pipelines: blits of one texel a pixel are identities in every
- * format, filter, wrap and environment; alpha of the texture decides tests and blending; strips
- * and clips change nothing, with mipmaps too. */
+ * format, filter, wrap and environment; alpha of the texture decides tests and blending.
+ * Strips and clips: texture_staged_strips.c. */
 #include "core/draw/staged.h"
 #include "core/fragment/blend.h"
-#include "core/fragment/mipmap.h"
 #include "core/fragment/sampler.h"
-#include "core/fragment/source_blocks.h"
 #include "core/fragment/test.h"
 #include "core/fragment/write.h"
 #include "tests/harness/canvas.h"
-#include "tests/harness/shapes.h"
 #include "tests/oracle/sampler.h"
+#include "tests/unit/texel_parts.h"
 
 void suite_texture_staged(void);
 
 static struct test_canvas canvas;
 
-static uint16_t colors[2048], palette[256];
-static uint8_t bytes[2048], alpha[2048];
-
-static const struct etch_image formats[] = {
-    {etch_texels_rgb565, NULL, colors, NULL, NULL, 0, 0, 0},
-    {etch_texels_rgb565, etch_texels_mask, colors, NULL, alpha, 0, 0, 0},
-    {etch_texels_index8, etch_texels_alpha8, bytes, palette, alpha, 0, 0, 0},
-    {etch_texels_index4, NULL, bytes, palette, NULL, 0, 0, 0}};
-
-static void fill(uint32_t *seed)
-{
-    int32_t i;
-
-    for (i = 0; i < 2048; i++) {
-        colors[i] = (uint16_t)(test_random(seed) & 0xFFFF);
-        bytes[i] = (uint8_t)(test_random(seed) & 0xFF);
-        alpha[i] = (uint8_t)(test_random(seed) & 0xFF);
-    }
-    for (i = 0; i < 256; i++)
-        palette[i] = (uint16_t)(test_random(seed) & 0xFFFF);
-}
+static struct texels texels;
 
 /* What stands in texel (x, y), by the image's own function, which the suite of samplers proves. */
 static uint16_t color_at(const struct etch_image *image, int32_t x, int32_t y)
@@ -102,10 +80,10 @@ static void blits_one_to_one_are_identities(void)
             {etch_source_texture, NULL}, {environments[environment], &sampler},
             {etch_stage_write, NULL},    {NULL, NULL}};
         const struct etch_pipeline pipeline = {varyings, stages, etch_kernel_staged};
-        struct etch_image image = formats[format];
+        struct etch_image image = texels_image(&texels, format);
         int32_t wrong = 0;
 
-        fill(&seed);
+        texels_fill(&texels, &seed);
         image.width = (uint16_t)test_range(&seed, 1, 45);
         image.height = (uint16_t)test_range(&seed, 1, 45);
         image.stride = image.width;
@@ -148,12 +126,12 @@ static void linear_blits_are_identities(void)
                                             {NULL, NULL}};
         const struct etch_pipeline pipeline = {varyings, stages, etch_kernel_staged};
         const int32_t u = test_range(&seed, -30, 30), v = test_range(&seed, -30, 30);
-        struct etch_image image = formats[0];
+        struct etch_image image = texels_image(&texels, 0);
         int32_t wrong = 0;
 
-        fill(&seed);
+        texels_fill(&texels, &seed);
         for (x = 0; x < 2048; x++)
-            colors[x] &= 15 << 11 | 31 << 5 | 15;
+            texels.colors[x] &= 15 << 11 | 31 << 5 | 15;
         image.width = image.stride = (uint16_t)test_range(&seed, 1, 45);
         image.height = (uint16_t)test_range(&seed, 1, 45);
         (void)etch_sampler_init(&sampler, &image, etch_filter_linear, etch_texels_repeat);
@@ -188,7 +166,7 @@ static void alpha_tests_and_blends(void)
                                          {etch_stage_blend_alpha, NULL},
                                          {etch_stage_write, NULL},
                                          {NULL, NULL}};
-    struct etch_image image = formats[1];
+    struct etch_image image = texels_image(&texels, 1);
     uint32_t seed = 103;
     int32_t i, x, y;
 
@@ -200,121 +178,20 @@ static void alpha_tests_and_blends(void)
                                                etch_kernel_staged};
         int32_t wrong = 0;
 
-        fill(&seed);
+        texels_fill(&texels, &seed);
         for (x = 0; x < 2048; x++)
-            alpha[x] = (uint8_t)(i == 0 ? 120 + x % 16 : x % 2 * 255);
+            texels.alpha[x] = (uint8_t)(i == 0 ? 120 + x % 16 : x % 2 * 255);
         test_canvas_open(&canvas, (struct etch_rect){0, 0, 30, 20});
         draw_quad(&pipeline, 0, 0, 0, 0, 30, 20);
         for (y = 0; y < 20; y++) {
             for (x = 0; x < 30; x++) {
-                const bool kept = alpha[y * 30 + x] >= 128;
+                const bool kept = texels.alpha[y * 30 + x] >= 128;
 
                 wrong += test_canvas_at(&canvas, x, y) !=
-                         (kept ? colors[y * 30 + x] : TEST_BACKGROUND);
+                         (kept ? texels.colors[y * 30 + x] : TEST_BACKGROUND);
             }
         }
         CHECK_EQ(wrong, 0);
-    }
-}
-
-/* ---- strips and clips ------------------------------------------------------------------------ */
-
-struct scene {
-    struct etch_texture_vertex v[3];
-    const struct etch_mipmap *mipmap;
-    etch_stage_function *source;
-    etch_stage_function *environment;
-    etch_texel_filter *filter;
-    etch_texel_wrap *wrap;
-    bool perspective;
-};
-
-static void draw_scene(const struct scene *s)
-{
-    static etch_varying *const parallel[] = {etch_varying_color, etch_varying_alpha,
-                                             etch_varying_texture, NULL};
-    static etch_varying *const perspective[] = {etch_varying_color, etch_varying_alpha,
-                                                etch_varying_texture_perspective, NULL};
-    struct etch_sampler sampler;
-    const struct etch_stage stages[] = {{etch_source_color, NULL}, {etch_source_alpha, NULL},
-                                        {s->source, NULL},         {s->environment, &sampler},
-                                        {etch_stage_read, NULL},   {etch_stage_blend_alpha, NULL},
-                                        {etch_stage_write, NULL},  {NULL, NULL}};
-    const struct etch_pipeline pipeline = {s->perspective ? perspective : parallel, stages,
-                                           etch_kernel_staged};
-    const struct etch_texture_vertex *const v[3] = {&s->v[0], &s->v[1], &s->v[2]};
-    const uint8_t level = etch_mipmap_level(s->mipmap, v);
-    struct etch_texture_vertex out[3];
-    const struct etch_vertex *const plain[3] = {&out[0].at, &out[1].at, &out[2].at};
-    struct etch_staged_planes planes;
-    int i;
-
-    for (i = 0; i < 3; i++)
-        etch_mipmap_vertex(&out[i], v[i], s->mipmap, level);
-    (void)etch_sampler_init(&sampler, &s->mipmap->level[level], s->filter, s->wrap);
-    etch_triangle_staged(&canvas.surface, plain, &pipeline, &planes);
-}
-
-static void strips_and_clips_change_nothing(void)
-{
-    static etch_stage_function *const sources[] = {
-        etch_source_texture, etch_source_texture_perspective, etch_source_texture_blocks8,
-        etch_source_texture_blocks16};
-    static etch_stage_function *const environments[] = {
-        etch_stage_texture_replace, etch_stage_texture_modulate, etch_stage_texture_decal};
-    static const struct etch_rect window = {100, 50, 164, 80};
-    static uint16_t whole[30][64], small[700];
-    static uint8_t small_alpha[700];
-    uint32_t seed = 104;
-    int32_t i, k, x, y;
-
-    for (i = 0; i < TEST_COUNT(600) && !test_failed(); i++) {
-        struct etch_image image = formats[i % 4];
-        struct etch_mipmap mipmap;
-        struct scene s;
-        struct test_triangle t;
-        int32_t wrong = 0;
-
-        s.mipmap = &mipmap;
-        s.source = sources[i / 4 % 4];
-        s.environment = environments[i / 16 % 3];
-        s.filter = i / 2 % 2 == 0 ? etch_filter_nearest : etch_filter_linear;
-        s.wrap = wraps[i / 3 % 3].wrap;
-        s.perspective = i / 4 % 4 != 0;
-        fill(&seed);
-        image.width = image.stride = (uint16_t)test_range(&seed, 1, 32);
-        image.height = (uint16_t)test_range(&seed, 1, 32);
-        CHECK_EQ(etch_mipmap_build(&mipmap, &image, small, small_alpha, 700), ETCH_OK);
-        test_triangle_make(&t, (enum test_triangle_kind)(i % TEST_TRIANGLE_KINDS), window, &seed);
-        for (k = 0; k < 3; k++) {
-            s.v[k] = vertex_at(0, 0, test_range(&seed, -200, 200), test_range(&seed, -200, 200));
-            s.v[k].at.x_q8 = t.x[k];
-            s.v[k].at.y_q8 = t.y[k];
-            s.v[k].at.a = (uint8_t)test_range(&seed, 0, 255);
-            s.v[k].at.g = (uint8_t)test_range(&seed, 0, 255);
-            s.v[k].w = (uint32_t)test_range(&seed, 1, 20);
-        }
-        test_canvas_open(&canvas, window);
-        draw_scene(&s);
-        for (y = 0; y < 30; y++)
-            for (x = 0; x < 64; x++)
-                whole[y][x] = test_canvas_at(&canvas, x + 100, y + 50);
-        for (k = 0; k < 3; k++) { /* some rows, some columns, a part of both */
-            const int16_t left = (int16_t)(k == 0 ? 0 : test_range(&seed, 0, 54));
-            const int16_t above = (int16_t)(k == 1 ? 0 : test_range(&seed, 0, 22));
-            const struct etch_rect part = {(int16_t)(100 + left), (int16_t)(50 + above),
-                                           (int16_t)(k == 0 ? 164 : 110 + left),
-                                           (int16_t)(k == 1 ? 80 : 58 + above)};
-
-            test_canvas_open(&canvas, part);
-            draw_scene(&s);
-            for (y = part.y0; y < part.y1; y++)
-                for (x = part.x0; x < part.x1; x++)
-                    wrong += test_canvas_at(&canvas, x, y) != whole[y - 50][x - 100];
-            CHECK_ONCE(&canvas);
-        }
-        if (!CHECK_EQ(wrong, 0))
-            test_note("case", i);
     }
 }
 
@@ -323,5 +200,4 @@ void suite_texture_staged(void)
     RUN(blits_one_to_one_are_identities);
     RUN(linear_blits_are_identities);
     RUN(alpha_tests_and_blends);
-    RUN(strips_and_clips_change_nothing);
 }
