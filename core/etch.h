@@ -64,6 +64,7 @@
 #include "base/utf8.h"
 #include "base/weights.h"
 #include "draw/image.h"
+#include "draw/image_rle.h"
 #include "draw/line.h"
 #include "draw/line_staged.h"
 #include "draw/blend.h"
