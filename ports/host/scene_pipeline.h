@@ -28,6 +28,7 @@ struct etch_scene_state {
     uint8_t atest_reference;
     uint8_t mode;   /* precise fast exact fast8 */
     uint8_t dither; /* off on */
+    uint8_t depth;  /* linear inverse */
     uint8_t fog;    /* off linear exp */
     uint8_t fog_color[3];
     uint8_t logic; /* off clear and .. */
@@ -58,7 +59,7 @@ const struct etch_scene_pipeline *etch_scene_pipeline_find(const struct etch_sce
 /* Whether the state asks for what only stages do. */
 bool etch_scene_pipeline_needs_stages(const struct etch_scene_state *state);
 
-/* Whether the state asks for exact values or dithering, and the row for that, NULL if there is none:
+/* Whether the state asks for exact values, dithering or inverse depth, and the row for that, NULL if there is none:
  * they have no textures, no stages, and of the depth tests off, less and lequal that write. */
 bool etch_scene_mode_is_special(const struct etch_scene_state *state);
 const struct etch_scene_pipeline *

@@ -1,9 +1,10 @@
-/* ports/host/scene_pipeline_mode.c: painters and kernels of the exact mode and of ordered dithering.
+/* ports/host/scene_pipeline_mode.c: painters and kernels of the exact mode, ordered dithering and inverse depth.
  * scene_staged.c asks before it looks at the table of the precise ones. */
 #include "scene_pipeline.h"
 
 #include "../../core/draw/dither.h"
 #include "../../core/draw/exact.h"
+#include "../../core/draw/inverse.h"
 
 enum {
     OFF = 0,
@@ -51,19 +52,30 @@ static const struct etch_scene_pipeline dither[] = {
     {.name = {NULL, NULL}},
 };
 
+static const struct etch_scene_pipeline inverse[] = {
+    FLAT(LESS, etch_triangle_flat_inverse, etch_triangle_flat_inverse_swapped,
+         etch_kernel_flat_inverse_less),
+    FLAT(LEQUAL, etch_triangle_flat_inverse, etch_triangle_flat_inverse_swapped,
+         etch_kernel_flat_inverse_lequal),
+    BYTES(0, LESS, etch_triangle_gouraud_inverse, etch_kernel_gouraud_inverse_less),
+    BYTES(0, LEQUAL, etch_triangle_gouraud_inverse, etch_kernel_gouraud_inverse_lequal),
+    {.name = {NULL, NULL}},
+};
+
 bool etch_scene_mode_is_special(const struct etch_scene_state *state)
 {
-    return state->mode == 2 || state->dither != 0;
+    return state->mode == 2 || state->dither != 0 || (state->depth != 0 && state->ztest != OFF);
 }
 
 const struct etch_scene_pipeline *
 etch_scene_pipeline_find_mode(const struct etch_scene_state *state)
 {
     const uint8_t zwrite = state->ztest == OFF ? 0 : state->zwrite;
-    const struct etch_scene_pipeline *row = state->dither != 0 ? dither : exact;
+    const bool deep = state->depth != 0 && state->ztest != OFF;
+    const struct etch_scene_pipeline *row = deep ? inverse : state->dither != 0 ? dither : exact;
 
     if (etch_scene_pipeline_needs_stages(state) || state->tex != 0 || state->shade > 1 ||
-        (state->mode == 2 && state->dither != 0)) {
+        (state->mode == 2) + (state->dither != 0) + deep > 1) {
         return NULL;
     }
     for (; row->name[0] != NULL; row++) {

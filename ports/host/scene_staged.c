@@ -55,7 +55,7 @@ static const struct etch_scene_pipeline *find_fused(const struct etch_scene_read
                              : etch_scene_pipeline_find(state);
 }
 
-/* What draws exact values or dithered ones: there are no stages for them. */
+/* What draws exact values, dithered ones or inverse depth: there are no stages for them. */
 static const struct etch_scene_pipeline *find_special(struct etch_scene_reader *reader,
                                                       struct etch_scene_differs differs)
 {
@@ -66,8 +66,8 @@ static const struct etch_scene_pipeline *find_special(struct etch_scene_reader *
         (state->shade == 0 && state->persp != 0 && differs.w && differs.color)) {
         (void)etch_text_fail(
             &reader->text,
-            "\"state mode exact\" and \"state dither on\" draw colours that are linear "
-            "on the screen, with ztest off, less or lequal and no other state");
+            "each of \"state mode exact\", \"dither on\" and \"depth inverse\" draws colours that "
+            "are linear on the screen, with ztest off, less or lequal and no other state");
         return NULL;
     }
     return pipeline;
@@ -163,6 +163,7 @@ const struct etch_scene_pipeline *etch_scene_read_line_pipeline(struct etch_scen
     reader->state.tex = 0;
     reader->state.mode = 0;
     reader->state.dither = 0;
+    reader->state.depth = 0;
     pipeline = etch_scene_pipeline_find(&reader->state);
     if (pipeline == NULL) {
         reader->state.shade = state.shade == 1;

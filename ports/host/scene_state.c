@@ -23,6 +23,7 @@ static const char *const wraps[] = {"repeat", "clamp", "mirror", NULL};
 static const char *const wraps_v[] = {"same", "repeat", "clamp", "mirror", NULL};
 static const char *const off_on[] = {"off", "on", NULL};
 static const char *const dithers[] = {"off", "on", NULL};
+static const char *const depths[] = {"linear", "inverse", NULL};
 static const char *const modes[] = {"precise", "fast", "exact", "fast8", NULL};
 
 static const struct choice choices[] = {
@@ -39,6 +40,7 @@ static const struct choice choices[] = {
     {"mipmap", offsetof(struct etch_scene_state, mipmap), off_on},
     {"mode", offsetof(struct etch_scene_state, mode), modes},
     {"dither", offsetof(struct etch_scene_state, dither), dithers},
+    {"depth", offsetof(struct etch_scene_state, depth), depths},
 };
 
 static bool read_choice(struct etch_scene_reader *reader, const struct choice *choice)

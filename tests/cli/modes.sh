@@ -10,9 +10,22 @@ draws 'dithered, smooth' "scene 8 1\nstate dither on\n$over\n" 00380040003800400
 draws 'dithered, flat, nearer' \
     "scene 8 1\nstate shade flat\nstate ztest less\nstate dither on\n$over\n" \
     00380040003800400038004000380040
-only='"state mode exact" and "state dither on" draw'
+only='each of "state mode exact", "dither on"'
 scene "5: $only" 'scene 8 8\nstate mode exact\nstate ztest greater\n\n'"$over\n"
 scene "4: $only" 'scene 8 8\nstate mode exact\nstate blend add\n'"$over\n"
 scene "4: $only" 'scene 8 8\nstate mode exact\nstate dither on\n'"$over\n"
 scene "3: $only" 'scene 8 8\nstate dither on\ntri 0 0 0 1 1 0 0 255 0 0  8 0 0 2 2 0 0 255 0 0  0 8 0 3 3 0 0 255 0 0\n'
 scene '2: ' 'scene 8 8\nstate dither maybe\n'
+scene "6: $only" 'scene 8 8\nstate dither on\nstate depth inverse\nstate ztest less\n\n'"$over\n"
+scene '2: ' 'scene 8 8\nstate depth float\n'
+
+# One depth: 65535.0 - 40000 is 2^14 (1 + 1143.9 / 2048), so 65535 - (30 * 2048 + 1144) = 0x0B87, and
+# what comes after it and is not nearer does not pass.
+flat='0 0 40000 1 255 0 0 255 0 0  9 0 40000 1 255 0 0 255 0 0  0 9 40000 1 255 0 0 255 0 0'
+printf "scene 1 1\nstate depth inverse\nstate ztest less\ntri $flat\nstate shade flat\ntri ${flat}\n" \
+    >"$out/deep.scene"
+if sim "$out/deep.scene" --depth "$out/o.z16" 2>"$out/stderr" &&
+    [ "$(od -An -v -tx1 "$out/o.z16" | tr -d ' \n')" = 870b ]; then pass; else
+    fail "inverse depth: $(od -An -v -tx1 "$out/o.z16")"
+fi
+rm -f "$out/o.z16"

@@ -138,7 +138,7 @@ draws 'a texture mirrored' "${row}state wrap mirror\n$bar\n$over\n" 00f800f8e007
 draws 'a texture filtered, texel on pixel' "${row}state filter linear\n$bar\n$over\n" 1f0000f8e007
 draws 'a texture under white' "scene 3 1\nstate tex modulate\n$bar\n$over\n" 1f0000f8e007
 draws 'a texture as a decal' "scene 3 1\nstate tex decal\n$bar\n$over\n" 1f0000f8e007
-scene '4: "state mode exact" and "state dither on" draw' \
+scene '4: each of "state mode exact", "dither on"' \
     "scene 8 8\nstate mode exact\nstate tex replace\n$wide\n"
 draws 'fast where there is no faster kernel' \
     "scene 1 1\nstate tex replace\n$ramp\nstate mode fast\nstate ztest greater\n$wide\n" 0000
