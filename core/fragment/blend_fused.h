@@ -25,6 +25,12 @@ struct etch_flat_blend_paint {
 etch_kernel etch_kernel_flat_blend;
 etch_kernel etch_kernel_flat_blend_swapped;
 
+/* For any shape's runs: a channel becomes (s a + d (255 - a)) / 255, rounded to nearest (there are no ties), s of
+ * `color` (etch_rgb565, for both byte orders) and a the opacity: 255 makes it s, 0 leaves it as it was.
+ * kernel: one of the two above. */
+void etch_flat_blend_init(struct etch_flat_blend_paint *p, etch_kernel *kernel, uint16_t color,
+                          uint8_t opacity);
+
 /* Colours linear on the screen, and alpha: a plane (blend), or one for all (fade). */
 struct etch_gouraud_blend_paint {
     struct etch_gouraud_paint gouraud; /* .z is not read */

@@ -1,6 +1,6 @@
 /* ports/host/scene_fill.c: the statements fill and draw: shapes in whole pixels through runs. scene.c finds
  * them by name, scene_draw.c calls what they append. */
-#include "../../core/fragment/flat.h"
+#include "../../core/draw/line_stipple.h"
 #include "../../core/raster/arc.h"
 #include "../../core/raster/circle.h"
 #include "../../core/raster/ellipse.h"
@@ -8,7 +8,7 @@
 #include "../../core/raster/rect.h"
 #include "../../core/raster/round_rect.h"
 #include "../../core/raster/triangle.h"
-#include "scene_steps.h"
+#include "scene_brush.h"
 
 enum {
     NUMBERS = 6
@@ -20,7 +20,8 @@ typedef void shape_runs(const struct etch_surface *s, const int32_t at[NUMBERS],
 struct kind {
     const char *name;
     shape_runs *runs;
-    const char *numbers[NUMBERS + 1]; /* "from" to 65535, "sweep" to 65536, others int16 */
+    const char *numbers[NUMBERS + 1]; /* "from" to 65535, "sweep" to 65536, "pattern" of 4
+                                         hexadecimal digits, others int16 */
     struct etch_scene_statement statement;
 };
 
@@ -29,6 +30,7 @@ struct shape {
     const struct kind *kind;
     int32_t at[NUMBERS];
     uint8_t rgb[3];
+    const struct etch_scene_brush *brush;
 };
 
 /* ---- the shapes -------------------------------------------------------------------------------- */
@@ -68,6 +70,13 @@ static void line(const struct etch_surface *s, const int32_t at[NUMBERS],
     etch_line_runs(s, (int16_t)at[0], (int16_t)at[1], (int16_t)at[2], (int16_t)at[3], paint);
 }
 
+static void dots(const struct etch_surface *s, const int32_t at[NUMBERS],
+                 const struct etch_paint *paint)
+{
+    etch_line_stipple_runs(s, (int16_t)at[1], (int16_t)at[2], (int16_t)at[3], (int16_t)at[4],
+                           (uint16_t)at[0], paint);
+}
+
 /* The functions of five integers, fill and outline. */
 #define SHAPE(name, call)                                                                          \
     static void name(const struct etch_surface *s, const int32_t at[NUMBERS],                      \
@@ -94,17 +103,15 @@ SHAPE(pie_outline,
 static void draw_shape(struct etch_scene_run *run, const struct etch_scene_step *step)
 {
     const struct shape *shape = step->of.data;
-    const struct etch_flat_paint paint = {
-        {run->stats != NULL ? etch_scene_count : etch_kernel_flat},
-        etch_scene_color(run, shape->rgb)};
+    struct etch_scene_brushed memory;
 
-    run->kernel = etch_kernel_flat;
-    shape->kind->runs(&run->surface, shape->at, &paint.paint);
+    shape->kind->runs(&run->surface, shape->at,
+                      etch_scene_brush_paint(run, shape->brush, shape->rgb, &memory));
 }
 
 #define NEEDS(name, function)                                                                      \
     {                                                                                              \
-        name, NULL, draw_shape, function " etch_kernel_flat", NULL                                 \
+        name, NULL, draw_shape, function, NULL                                                     \
     }
 
 static const struct kind fills[] = {
@@ -127,6 +134,10 @@ static const struct kind fills[] = {
 
 static const struct kind outlines[] = {
     {"line", line, {"x0", "y0", "x1", "y1"}, NEEDS("draw", "etch_line_runs")},
+    {"dots",
+     dots,
+     {"pattern", "x0", "y0", "x1", "y1"},
+     NEEDS("draw", "etch_line_stipple_runs etch_kernel_line_stipple")},
     {"ellipse",
      ellipse_outline,
      {"x", "y", "rx", "ry"},
@@ -166,7 +177,15 @@ static bool read_number(struct etch_scene_reader *reader, const char *name, int3
 {
     const bool is_angle = name[0] == 'f', is_sweep = name[0] == 's'; /* from, sweep */
     int64_t value;
+    uint64_t bits;
 
+    if (name[0] == 'p') {
+        if (!etch_scene_read_hex(reader, name, 4, &bits)) {
+            return false;
+        }
+        *at = (int32_t)bits;
+        return true;
+    }
     if (!etch_text_integer(&reader->text, name, is_angle || is_sweep ? 0 : INT16_MIN,
                            is_angle   ? UINT16_MAX
                            : is_sweep ? 65536
@@ -191,12 +210,14 @@ static bool read_shape(struct etch_scene_reader *reader,
     }
     step->of.data = shape;
     shape->kind = kind;
+    shape->brush = reader->brush;
     for (int i = 0; kind->numbers[i] != NULL; i++) {
         if (!read_number(reader, kind->numbers[i], &shape->at[i])) {
             return false;
         }
     }
-    return etch_scene_read_rgb(reader, shape->rgb);
+    step->needs = etch_scene_brush_needs(reader, false);
+    return step->needs != NULL && etch_scene_read_rgb(reader, shape->rgb);
 }
 
 const struct etch_scene_statement etch_scene_fill_statements[] = {

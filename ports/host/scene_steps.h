@@ -6,7 +6,7 @@
  *      scene_frame.c     scene strip format frac clear cleardepth clearstencil
  *      scene_shapes.c    point line rect fillrect circle disc triangle filltriangle
  *      scene_toolkit.c   smooth solid
- *      scene_fill.c      fill draw
+ *      scene_fill.c      fill draw;  scene_brush.c  brush opacity stipple
  *      scene_state.c     state
  *      scene_texture.c   texture
  *      scene_triangles.c tri ctri
@@ -39,6 +39,7 @@ struct elements;
 struct etch_font;
 struct etch_scene_step;
 struct etch_scene_pass;
+struct etch_scene_brush;
 
 /* A scene while it is drawn on a surface. */
 struct etch_scene_run {
@@ -129,6 +130,8 @@ struct etch_scene_reader {
     const struct etch_phong *phong;     /* of the mesh in hand, else NULL */
     const struct etch_font *font;       /* the latest, or NULL; of text */
     struct elements *elements;          /* the list between list and endlist, else NULL */
+
+    const struct etch_scene_brush *brush; /* the latest, or NULL; of fill, draw, smooth and solid */
 };
 
 struct etch_scene_statement {
@@ -156,6 +159,7 @@ extern const struct etch_scene_statement etch_scene_frame_statements[];
 extern const struct etch_scene_statement etch_scene_shape_statements[];
 extern const struct etch_scene_statement etch_scene_toolkit_statements[];
 extern const struct etch_scene_statement etch_scene_fill_statements[];
+extern const struct etch_scene_statement etch_scene_brush_statements[];
 extern const struct etch_scene_statement etch_scene_state_statements[];
 extern const struct etch_scene_statement etch_scene_triangle_statements[];
 extern const struct etch_scene_statement etch_scene_view_statements[];

@@ -1,9 +1,7 @@
 /* ports/host/scene_toolkit.c: the statements smooth and solid: round shapes, polygons and thick lines.
  * scene.c finds them by name, scene_draw.c calls what they append. */
-#include "../../core/fragment/cover.h"
-#include "../../core/fragment/flat.h"
 #include "../../core/raster/stroke.h"
-#include "scene_steps.h"
+#include "scene_brush.h"
 
 enum {
     POINTS = 256,
@@ -13,6 +11,7 @@ enum {
 /* A shape as it was read, and its edges. */
 struct toolkit {
     uint8_t rgb[3], opacity;
+    const struct etch_scene_brush *brush;
     struct etch_smooth smooth;
     struct etch_polygon polygon;
     int16_t *cover;
@@ -173,7 +172,7 @@ static bool read_dashes(const struct shape *s)
 struct counted {
     struct etch_cover_paint paint;
     struct etch_scene_run *run;
-    const struct etch_cover_flat_paint *flat;
+    const struct etch_cover_paint *through;
 };
 
 static void count_cover(const struct etch_surface *surface, int16_t x, int16_t y, uint16_t n,
@@ -182,33 +181,30 @@ static void count_cover(const struct etch_surface *surface, int16_t x, int16_t y
     const struct counted *c = (const struct counted *)paint;
 
     c->run->stats->pixels += n;
-    c->flat->paint.kernel(surface, x, y, n, cover, &c->flat->paint);
+    c->through->kernel(surface, x, y, n, cover, c->through);
 }
 
 static void draw_smooth(struct etch_scene_run *run, const struct etch_scene_step *step)
 {
     const struct toolkit *t = step->of.data;
-    const bool swapped = run->scene->format == ETCH_FORMAT_RGB565_SWAPPED;
-    const struct etch_cover_flat_paint flat = {
-        {swapped ? etch_cover_flat_swapped : etch_cover_flat},
-        etch_rgb565(t->rgb[0], t->rgb[1], t->rgb[2]),
-        t->opacity};
-    const struct counted counted = {{count_cover}, run, &flat};
+    struct etch_scene_brushed memory;
+    const struct etch_cover_paint *paint = etch_scene_brush_cover(run, t->brush, t->rgb, t->opacity,
+                                                                  &memory);
+    const struct counted counted = {{count_cover}, run, paint};
     struct etch_smooth smooth = t->smooth;
 
-    etch_smooth_fill_nonzero(&run->surface, &smooth,
-                             run->stats != NULL ? &counted.paint : &flat.paint, t->cover);
+    etch_smooth_fill_nonzero(&run->surface, &smooth, run->stats != NULL ? &counted.paint : paint,
+                             t->cover);
 }
 
 static void draw_solid(struct etch_scene_run *run, const struct etch_scene_step *step)
 {
     const struct toolkit *t = step->of.data;
-    const struct etch_flat_paint paint = {
-        {run->stats != NULL ? etch_scene_count : etch_kernel_flat}, etch_scene_color(run, t->rgb)};
+    struct etch_scene_brushed memory;
     struct etch_polygon polygon = t->polygon;
 
-    run->kernel = etch_kernel_flat;
-    etch_polygon_runs_nonzero(&run->surface, &polygon, &paint.paint);
+    etch_polygon_runs_nonzero(&run->surface, &polygon,
+                              etch_scene_brush_paint(run, t->brush, t->rgb, &memory));
 }
 
 /* ---- statements -------------------------------------------------------------------------------- */
@@ -225,6 +221,7 @@ static bool read_toolkit(struct etch_scene_reader *reader, struct toolkit *t,
     const struct shape s = {reader, outline};
     int kind;
 
+    t->brush = reader->brush;
     return etch_text_choice(&reader->text, "shape", names, &kind) && read_shape[kind](&s) &&
            ((t->smooth.status == ETCH_OK && t->polygon.status == ETCH_OK) ||
             etch_text_fail(&reader->text, "the shape needs more than %d edges", EDGES)) &&
@@ -242,8 +239,9 @@ static bool read_smooth(struct etch_scene_reader *reader,
     if (edge == NULL || !etch_scene_read_byte(reader, "opacity", &t->opacity)) {
         return false;
     }
+    step->needs = etch_scene_brush_needs(reader, true);
     t->cover = etch_scene_data(reader, ((size_t)reader->scene->width + 1) * sizeof *t->cover);
-    if (t->cover == NULL) {
+    if (t->cover == NULL || step->needs == NULL) {
         return false;
     }
     step->of.data = t;
@@ -262,7 +260,7 @@ static bool read_solid(struct etch_scene_reader *reader,
     struct etch_polygon_edge *edge = t != NULL ? etch_scene_data(reader, EDGES * sizeof *edge)
                                                : NULL;
 
-    if (edge == NULL) {
+    if (edge == NULL || (step->needs = etch_scene_brush_needs(reader, false)) == NULL) {
         return false;
     }
     step->of.data = t;
@@ -274,7 +272,7 @@ static bool read_solid(struct etch_scene_reader *reader,
 }
 
 const struct etch_scene_statement etch_scene_toolkit_statements[] = {
-    {"smooth", read_smooth, draw_smooth, "etch_smooth_fill_nonzero etch_cover_flat", NULL},
-    {"solid", read_solid, draw_solid, "etch_polygon_runs_nonzero etch_kernel_flat", NULL},
+    {"smooth", read_smooth, draw_smooth, "etch_smooth_fill_nonzero", NULL},
+    {"solid", read_solid, draw_solid, "etch_polygon_runs_nonzero", NULL},
     {NULL, NULL, NULL, NULL, NULL},
 };
