@@ -11,44 +11,62 @@
 #include "line.h"
 #include "line_walk.h"
 
-/* A line in walking order, and the part of it to draw. */
+/* A line in walking order: where it begins, and what is left of it. */
 struct walk {
-    int16_t u0, v0; /* the end with the smaller u */
-    uint16_t du, dv;
-    int8_t sv;         /* v grows or falls */
-    uint16_t from, to; /* first and last k */
+    int32_t u, v;   /* the first pixel left */
+    int32_t e;      /* there, dv k + h modulo du, less du */
+    int32_t du, dv; /* of the whole line */
+    int32_t sv;     /* v grows or falls, 1 or -1 */
+    int32_t n;      /* pixels left after the first */
 };
 
-/* Cuts the walk to u_lo .. u_hi - 1 and v_lo .. v_hi - 1; false if nothing is left. */
-static bool walk_clip(struct walk *w, int16_t u_lo, int16_t u_hi, int16_t v_lo, int16_t v_hi)
+/* Leaves out the first pixel. */
+ETCH_INLINE void walk_step(struct walk *w)
 {
-    const uint32_t h = (uint32_t)(w->du - (w->du != 0)) / 2;
-    const int32_t below = w->sv > 0 ? (int32_t)v_lo - w->v0 : (int32_t)w->v0 - (v_hi - 1);
-    const int32_t above = w->sv > 0 ? (int32_t)v_hi - 1 - w->v0 : (int32_t)w->v0 - v_lo;
-    int32_t from = w->from, to = w->to;
+    w->u++;
+    w->e += w->dv;
+    if (w->e >= 0)
+        w->e -= w->du, w->v += w->sv;
+}
 
-    if (from < (int32_t)u_lo - w->u0)
-        from = (int32_t)u_lo - w->u0;
-    if (to > (int32_t)u_hi - 1 - w->u0)
-        to = (int32_t)u_hi - 1 - w->u0;
-    if (above < 0 || below > (int32_t)w->dv || above < below || from > to)
+/* Leaves out the first k pixels. */
+static ETCH_COLD void walk_skip(struct walk *w, uint32_t k)
+{
+    const uint32_t at = (uint32_t)w->dv * k + (uint32_t)(w->e + w->du);
+    const uint32_t m = at / (uint32_t)w->du;
+
+    w->u += (int32_t)k;
+    w->v += w->sv * (int32_t)m;
+    w->e = (int32_t)(at - m * (uint32_t)w->du) - w->du;
+    w->n -= (int32_t)k;
+}
+
+/* Cuts a walk to the columns u and rows v of the clip; false if nothing is left. */
+static ETCH_COLD bool walk_clip(struct walk *w, const struct etch_rect *clip)
+{
+    const uint32_t h = (uint32_t)(w->e + w->du), du = (uint32_t)w->du, dv = (uint32_t)w->dv;
+    const int32_t below = w->sv > 0 ? clip->y0 - w->v : w->v - (clip->y1 - 1);
+    const int32_t above = w->sv > 0 ? clip->y1 - 1 - w->v : w->v - clip->y0;
+    int32_t from = w->u < clip->x0 ? clip->x0 - w->u : 0;
+    int32_t to = w->u + w->n < clip->x1 ? w->n : clip->x1 - 1 - w->u;
+
+    if (above < 0 || below > w->dv || above < below || from > to)
         return false;
     if (below > 0) { /* m(k) >= below  <=>  dv k >= below du - h */
-        const uint32_t k = ((uint32_t)below * w->du - h + w->dv - 1) / w->dv;
+        const int32_t k = (int32_t)(((uint32_t)below * du - h + dv - 1) / dv);
 
-        if (from < (int32_t)k)
-            from = (int32_t)k;
+        from = from < k ? k : from;
     }
-    if (above < (int32_t)w->dv) { /* m(k) <= above  <=>  dv k < (above + 1) du - h */
-        const uint32_t k = ((uint32_t)(above + 1) * w->du - h - 1) / w->dv;
+    if (above < w->dv) { /* m(k) <= above  <=>  dv k < (above + 1) du - h */
+        const int32_t k = (int32_t)(((uint32_t)(above + 1) * du - h - 1) / dv);
 
-        if (to > (int32_t)k)
-            to = (int32_t)k;
+        to = to > k ? k : to;
     }
     if (from > to)
         return false;
-    w->from = (uint16_t)from;
-    w->to = (uint16_t)to;
+    w->n = to;
+    if (from > 0)
+        walk_skip(w, (uint32_t)from);
     return true;
 }
 
@@ -62,46 +80,44 @@ static void line(const struct etch_surface *s, struct etch_point a, struct etch_
                  uint16_t color)
 {
     const int32_t dx = (int32_t)b.x - a.x, dy = (int32_t)b.y - a.y;
-    const bool steep = (dy < 0 ? -dy : dy) > (dx < 0 ? -dx : dx);
-    const bool backward = steep ? dy < 0 : dx < 0;
+    const int32_t ax = dx < 0 ? -dx : dx, ay = dy < 0 ? -dy : dy;
+    const bool steep = ay > ax, backward = steep ? dy < 0 : dx < 0;
     const struct etch_point p = backward ? b : a;
-    const int32_t du = steep ? dy : dx, dv = steep ? dx : dy;
-    struct walk w = {
-        steep ? p.y : p.x,
-        steep ? p.x : p.y,
-        (uint16_t)(du < 0 ? -du : du),
-        (uint16_t)(dv < 0 ? -dv : dv),
-        (int8_t)((dv < 0) == backward ? 1 : -1),
-        (uint16_t)(open && backward),
-        0,
-    };
-    const struct etch_rect c = s->clip;
+    struct walk w;
 
-    if (open && du == 0)
-        return;
-    w.to = (uint16_t)(w.du - (open && !backward));
-    if (!(is_inside(&c, a) && is_inside(&c, b)) &&
-        !(steep ? walk_clip(&w, c.y0, c.y1, c.x0, c.x1) : walk_clip(&w, c.x0, c.x1, c.y0, c.y1)))
-        return;
+    w.u = steep ? p.y : p.x;
+    w.v = steep ? p.x : p.y;
+    w.du = steep ? ay : ax;
+    w.dv = steep ? ax : ay;
+    w.sv = ((steep ? dx : dy) < 0) == backward ? 1 : -1;
+    w.n = w.du;
+    w.e = ((w.du - (w.du != 0)) >> 1) - w.du;
+    if (open) {
+        if (w.n-- == 0)
+            return;
+        if (backward)
+            walk_step(&w);
+    }
+    if (!is_inside(&s->clip, a) || !is_inside(&s->clip, b)) {
+        const struct etch_rect c = s->clip, turned = {c.y0, c.x0, c.y1, c.x1};
+        struct walk cut = w;
 
-    const uint32_t h = (uint32_t)(w.du - (w.du != 0)) / 2;
-    const uint32_t at = etch_mul_u16(w.dv, w.from) + h;
-    const uint32_t m = w.du != 0 && w.from != 0 ? at / w.du : 0;
-    const int16_t u = (int16_t)((int32_t)w.u0 + w.from);
-    const int16_t v = (int16_t)(w.sv > 0 ? w.v0 + (int32_t)m : w.v0 - (int32_t)m);
-    uint16_t *const pixel = s->pixels +
-                            (steep ? etch_surface_index(s, v, u) : etch_surface_index(s, u, v));
+        if (!walk_clip(&cut, steep ? &turned : &c))
+            return;
+        w = cut;
+    }
+    uint16_t *const pixel = s->pixels + (steep ? etch_surface_index(s, (int16_t)w.v, (int16_t)w.u)
+                                               : etch_surface_index(s, (int16_t)w.u, (int16_t)w.v));
     const ptrdiff_t row = (ptrdiff_t)s->stride;
     const ptrdiff_t along = steep ? row : 1;
     const ptrdiff_t aside = along + (steep ? w.sv : w.sv > 0 ? row : -row);
-    const int32_t e = (int32_t)(at - m * w.du) - w.du; /* dv from + h modulo du, less du */
 
     /* Above 1/2 the roles change: it goes along where dv' = du - dv reaches 0 from e'. */
-    if (2 * (int32_t)w.dv <= w.du)
-        etch_line_walk(pixel, (uint32_t)(w.to - w.from), along, aside, e, w.du, w.dv, color);
+    if (2 * w.dv <= w.du)
+        etch_line_walk(pixel, (uint32_t)w.n, along, aside, w.e, w.du, w.dv, color);
     else
-        etch_line_walk(pixel, (uint32_t)(w.to - w.from), aside, along, -1 - (e + w.du), w.du,
-                       w.du - w.dv, color);
+        etch_line_walk(pixel, (uint32_t)w.n, aside, along, -1 - (w.e + w.du), w.du, w.du - w.dv,
+                       color);
 }
 
 void etch_line_draw(const struct etch_surface *s, int16_t x0, int16_t y0, int16_t x1, int16_t y1,
