@@ -9,8 +9,7 @@ struct line {
     struct etch_vertex v[2];
 };
 
-/* x y z r g b */
-static bool read_vertex(struct etch_scene_reader *reader, struct etch_vertex *v)
+bool etch_scene_read_line_vertex(struct etch_scene_reader *reader, struct etch_vertex *v)
 {
     uint8_t rgb[3];
     int64_t z;
@@ -67,7 +66,7 @@ static bool read_vertices(struct etch_scene_reader *reader, struct etch_vertex *
     uint8_t *const alpha[2] = {&v[0].a, &v[1].a};
 
     for (int i = 0; i < n; i++) {
-        if (!read_vertex(reader, &v[i])) {
+        if (!etch_scene_read_line_vertex(reader, &v[i])) {
             return false;
         }
     }

@@ -26,6 +26,9 @@ void etch_scene_paint_wide(struct etch_scene_run *run, const struct etch_scene_s
 void etch_scene_paint_point(struct etch_scene_run *run, const struct etch_scene_step *step,
                             const struct etch_vertex *v, uint16_t size_q8, etch_point_runs *runs);
 
+/* x y z r g b: on the screen, opaque. */
+bool etch_scene_read_line_vertex(struct etch_scene_reader *reader, struct etch_vertex *v);
+
 /* Takes `alpha A ..`, one for each of n vertices, if it follows. */
 bool etch_scene_read_alphas(struct etch_scene_reader *reader, uint8_t *const alpha[], int n);
 

@@ -20,6 +20,7 @@
  *      scene_lines_2d.c  ddaline halfspace gradient
  *      scene_lines_clip.c  clipline clippolygon cvline cvtri
  *      scene_mesh.c      mesh
+ *      scene_shaders.c   shadertri
  *      scene_polygons.c  polygon fillpolygon (also scene_polygon_ways.c);  scene_paths.c  fillpath
  *      scene_implicit.c  bezier quadric implicit
  *      scene_sorted.c    sorted end
@@ -176,6 +177,7 @@ extern const struct etch_scene_statement etch_scene_pass_statements[];
 extern const struct etch_scene_statement etch_scene_line_statements[];
 extern const struct etch_scene_statement etch_scene_line_clip_statements[];
 extern const struct etch_scene_statement etch_scene_line_2d_statements[];
+extern const struct etch_scene_statement etch_scene_shader_statements[];
 
 /* ---- for reading ------------------------------------------------------------------------ */
 

@@ -68,3 +68,16 @@ draws 'points of a list by stencil' \
 draws 'textures do not concern lines' \
     'scene 2 1\ntexture 1 1 00FF00\nstate tex replace\nstate blend add\ncline 0 0 0 255 0 0  1 0 0 255 0 0\n' \
     '00f800f8'
+
+# Pixel work of the simulator's own.
+scene '2: shader: "vertex" is unknown' 'scene 8 8\nshadertri vertex\n'
+scene '2: y is missing' 'scene 8 8\nshadertri kernel 0 0 0 1 2 3 4\n'
+scene '2: unexpected "7"' 'scene 8 8\nshadertri stage 0 0 0 1 2 3 8 0 0 1 2 3 0 8 0 1 2 3 7\n'
+over='0 0 0 255 255 255  99 0 0 255 255 255  0 99 0 255 255 255\n'
+draws 'shadertri kernel' "scene 6 1\nshadertri kernel $over" 'ffffffffffffffffef7bef7b'
+draws 'shadertri kernel, swapped' "scene 1 5\nformat rgb565_swapped\nshadertri kernel $over" \
+    'ffffffffffffffffef7b'
+gray=$(echo "$over" | sed 's/255/128/g')
+draws 'shadertri stage' "scene 2 1\nshadertri stage $gray" 'aa52aa52'
+draws 'shadertri weights, 1/3 each' \
+    'scene 1 1\nfrac 1\nshadertri weights 0 0 0 255 0 0  3 0 0 0 255 0  0 3 0 0 0 255\n' 'aa52'
