@@ -17,8 +17,8 @@ struct etch_strips {
 int16_t etch_strips_rows(const struct etch_display *display, uint32_t size, uint16_t stride);
 
 /* Cuts areas[0 .. count - 1], which must stay as they are, from the top into strips of at most
- * `rows`. What of them is outside the frame is left out; borders that the display does not take move
- * outwards. */
+ * `rows`. What of them is outside the frame is left out; borders that the display does not take
+ * move outwards. */
 void etch_strips_begin(struct etch_strips *strips, const struct etch_rect *areas, uint16_t count,
                        int16_t rows);
 

@@ -1,5 +1,5 @@
-/* hal/worker.c: strips and parts to whoever is free, and finished strips to the display. Each worker
- * calls it in its own thread. See workers.h. */
+/* hal/worker.c: strips and parts to whoever is free, and finished strips to the display. Each
+ * worker calls it in its own thread. See workers.h. */
 #include "workers.h"
 
 int etch_worker_init(struct etch_worker *w, struct etch_workers *ws,
@@ -48,7 +48,7 @@ bool etch_worker_begin(struct etch_worker *w)
     return joined;
 }
 
-/* ---- shared work ------------------------------------------------------------------------------ */
+/* ---- shared work ----------------------------------------------------------------------------- */
 
 /* Hands out a part of this worker's phase, or waits until all are done: false. */
 static bool take_part(struct etch_worker *w, uint16_t count, uint16_t *part)
@@ -91,7 +91,7 @@ bool etch_worker_part(struct etch_worker *w, uint16_t count, uint16_t *part)
     return w->has_part;
 }
 
-/* ---- strips ------------------------------------------------------------------------------------ */
+/* ---- strips ---------------------------------------------------------------------------------- */
 
 /* Outside the monitor, but nobody else calls the display: waits for the transfer that runs, then
  * starts this worker's. */

@@ -1,6 +1,7 @@
 /* hal/workers.h: a frame drawn by several workers: threads, tasks, or cores without a system.
  *
- * The frame loop (frame.h), whose strips go to whoever is free; each worker has a surface of its own.
+ * The frame loop (frame.h), whose strips go to whoever is free; each worker has a surface of its
+ * own.
  *
  *      every worker                                        the one that owns the frames
  *
@@ -16,11 +17,11 @@
  * as the vertices of a mesh, is not done by each: it is cut into parts, and no strip is handed out
  * before the last part is done.
  *
- * A worker that is done with a strip sends it, as soon as the display is free, and goes on: with two
- * buffers it draws while the transfer runs. Strips reach the display in the order in which they are
- * done; from the top if it wants that (in_order, or sync). It gets its calls from several threads
- * then, one call at a time, and what one has flushed another may wait for: a bus is locked by
- * something that another thread may unlock (etch_turn of guarded.h; not a mutex).
+ * A worker that is done with a strip sends it, as soon as the display is free, and goes on: with
+ * two buffers it draws while the transfer runs. Strips reach the display in the order in which they
+ * are done; from the top if it wants that (in_order, or sync). It gets its calls from several
+ * threads then, one call at a time, and what one has flushed another may wait for: a bus is locked
+ * by something that another thread may unlock (etch_turn of guarded.h; not a mutex).
  *
  * Nobody waits by spinning: all waiting is the monitor's. It is entered once a strip or part, once
  * more to send.
@@ -76,8 +77,8 @@ int etch_workers_init(struct etch_workers *workers, const struct etch_display *d
                       const struct etch_monitor *monitor, int16_t rows);
 
 /* Prepares a worker with memory of its own (frame.h; a direct display ignores `pixels`). Sizes may
- * differ. Calls nothing. ETCH_EINVAL: a flushed display without pixels[0], or both buffers the same;
- * ETCH_ENOMEM: not one row fits. */
+ * differ. Calls nothing. ETCH_EINVAL: a flushed display without pixels[0], or both buffers the
+ * same; ETCH_ENOMEM: not one row fits. */
 int etch_worker_init(struct etch_worker *worker, struct etch_workers *workers,
                      struct etch_frame_memory memory);
 
@@ -101,8 +102,8 @@ void etch_workers_close(struct etch_workers *workers);
 bool etch_worker_begin(struct etch_worker *worker);
 
 /* Shared work before the strips: true with *part in 0 .. count - 1, each to one worker; false when
- * all parts are done, by whomever: what was written for them can be read. Workers go through the same
- * phases, with the same counts (1 .. 65535), and through all of them. */
+ * all parts are done, by whomever: what was written for them can be read. Workers go through the
+ * same phases, with the same counts (1 .. 65535), and through all of them. */
 bool etch_worker_part(struct etch_worker *worker, uint16_t count, uint16_t *part);
 
 /* Sends the strip in hand and returns the next one; NULL if there is none, and after an error. The

@@ -1,5 +1,5 @@
-/* ports/freertos: the kernel's settings for the test program on an MPS2 with a Cortex-M3: 25 MHz, all
- * memory static. */
+/* ports/freertos: the kernel's settings for the test program on an MPS2 with a Cortex-M3: 25 MHz,
+ * all memory static. */
 #ifndef FREERTOS_CONFIG_H
 #define FREERTOS_CONFIG_H
 

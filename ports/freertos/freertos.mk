@@ -1,4 +1,5 @@
-# Tasks of FreeRTOS and the interrupts of their panel on an MPS2 under QEMU. The kernel comes by path:
+# Tasks of FreeRTOS and the interrupts of their panel on an MPS2 under QEMU. The kernel comes by
+# path:
 #       make run-freertos FREERTOS_KERNEL_PATH=../FreeRTOS-Kernel
 # Not part of `make check`. Included by the Makefile.
 FREERTOS_DIR := $(BUILD)/targets/freertos
@@ -7,7 +8,8 @@ FREERTOS_KERNEL = $(addprefix $(abspath $(FREERTOS_KERNEL_PATH))/,tasks.c list.c
     portable/GCC/ARM_CM3/port.c)
 FREERTOS_FOLDERS = $(addprefix $(abspath $(FREERTOS_KERNEL_PATH))/,include portable/GCC/ARM_CM3)
 FREERTOS_OURS := $(addprefix ports/freertos/,freertos_monitor.c mps2.c main.c) ports/mps2/board.c \
-    ports/cortex_m/start.c ports/cortex_m/print.c ports/cortex_m/exit.c ports/freestanding/memory.c \
+    ports/cortex_m/start.c ports/cortex_m/print.c ports/cortex_m/exit.c \
+    ports/freestanding/memory.c \
     ports/spi_lcd/dcs.c ports/spi_lcd/ili9341.c ports/spi_lcd/lcd.c ports/spi_lcd/lcd_open.c \
     ports/spi_lcd/lcd_pixels.c ports/spi_lcd/lcd_set.c tests/targets/scenes.c
 
@@ -22,10 +24,12 @@ FREERTOS_LIB := $(BUILD)/targets/mps2-an385/used.a # hal, and what the scenes us
 
 # $(call freertos,WORKERS,SCENE)
 define freertos
-$(FREERTOS_DIR)-$(1)/$(2).elf: freertos-kernel $(FREERTOS_DIR)/kernel.a $(FREERTOS_LIB) $(FREERTOS_OURS)
+$(FREERTOS_DIR)-$(1)/$(2).elf: freertos-kernel $(FREERTOS_DIR)/kernel.a $(FREERTOS_LIB) \
+    $(FREERTOS_OURS)
 	@mkdir -p $$(@D)
-	$(Q)$(FREERTOS_CC) $$(TARGET_FLAGS) -Iports/freertos $$(patsubst %,-isystem %,$$(FREERTOS_FOLDERS)) \
-	    -DWORKERS=$(1) -DSCENE=$(2) -nostdlib -Llinker -T mps2_lcd.ld -Wl,--gc-sections \
+	$(Q)$(FREERTOS_CC) $$(TARGET_FLAGS) -Iports/freertos \
+	    $$(patsubst %,-isystem %,$$(FREERTOS_FOLDERS)) -DWORKERS=$(1) -DSCENE=$(2) \
+	    -nostdlib -Llinker -T mps2_lcd.ld -Wl,--gc-sections \
 	    $(FREERTOS_OURS) $(FREERTOS_LIB) $(FREERTOS_DIR)/kernel.a -lgcc -o $$@
 endef
 $(foreach w,1 2,$(foreach s,0 1 2,$(eval $(call freertos,$(w),$(s)))))

@@ -1,6 +1,6 @@
-/* ports/freertos/main.c: the program of `make run-freertos`: target_scenes[SCENE] on the panel, drawn
- * by one task while interrupts send what it has drawn (WORKERS 1), or by two (WORKERS 2). A task of
- * higher priority wakes every millisecond and draws into memory of its own meanwhile. */
+/* ports/freertos/main.c: the program of `make run-freertos`: target_scenes[SCENE] on the panel,
+ * drawn by one task while interrupts send what it has drawn (WORKERS 1), or by two (WORKERS 2). A
+ * task of higher priority wakes every millisecond and draws into memory of its own meanwhile. */
 #include "../../hal/workers.h"
 #include "../../core/draw/shapes.h"
 #include "../../tests/targets/scenes.h"
@@ -39,7 +39,7 @@ static void finish(const char *text, int status)
     board_exit(status);
 }
 
-/* ---- the other task and its surface --------------------------------------------------------------- */
+/* ---- the other task and its surface ---------------------------------------------------------- */
 
 /* A bar that moves: 4 columns of 32 rows, whatever the other tasks do meanwhile. */
 static void draw_bar(void *context)
@@ -62,7 +62,7 @@ static void draw_bar(void *context)
     }
 }
 
-/* ---- the frame ------------------------------------------------------------------------------------ */
+/* ---- the frame ------------------------------------------------------------------------------- */
 
 static void draw_strips(int i)
 {

@@ -1,5 +1,5 @@
-/* ports/freertos/mps2.h: the board of ports/mps2 under FreeRTOS: its panel, with strips that go out by
- * interrupts while the task draws. */
+/* ports/freertos/mps2.h: the board of ports/mps2 under FreeRTOS: its panel, with strips that go out
+ * by interrupts while the task draws. */
 #ifndef ETCH_PORTS_FREERTOS_MPS2_H
 #define ETCH_PORTS_FREERTOS_MPS2_H
 

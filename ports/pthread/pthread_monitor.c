@@ -1,5 +1,5 @@
-/* ports/pthread/pthread_monitor.c: a mutex, and a condition on the clock that nobody sets. hal calls
- * it through struct etch_monitor. */
+/* ports/pthread/pthread_monitor.c: a mutex, and a condition on the clock that nobody sets. hal
+ * calls it through struct etch_monitor. */
 #define _POSIX_C_SOURCE 200809L
 #include "pthread_monitor.h"
 

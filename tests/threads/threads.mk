@@ -1,4 +1,5 @@
-# Several threads: tasks, their transfers, and workers, under ThreadSanitizer. Included by the Makefile.
+# Several threads: tasks, their transfers, and workers, under ThreadSanitizer. Included by the
+# Makefile.
 THREADS     := $(BUILD)/threads-test
 THREADS_SRC := $(sort $(wildcard tests/threads/*.c ports/pthread/*.c)) tests/harness/harness.c
 THREADS_OBJ := $(call obj,$(THREADS_SRC))

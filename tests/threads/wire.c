@@ -6,7 +6,7 @@ static struct line *self(const struct etch_bus *bus)
     return bus->context;
 }
 
-/* ---- the thread: DMA channel and interrupt -------------------------------------------------------- */
+/* ---- the thread: DMA channel and interrupt --------------------------------------------------- */
 
 /* Waits for a piece; false when the wire closes. */
 static bool next_piece(struct wire *w, const uint8_t **bytes, uint32_t *size, uint8_t *number)
@@ -57,7 +57,7 @@ static int start(void *context, uint8_t number, const uint8_t *bytes, uint32_t n
     return 0;
 }
 
-/* ---- the bus ------------------------------------------------------------------------------------ */
+/* ---- the bus --------------------------------------------------------------------------------- */
 
 static int begin(const struct etch_bus *bus)
 {

@@ -28,7 +28,7 @@ static int16_t lowest;    /* last row that was flushed */
 static int disorder;      /* flushes not from top to bottom */
 static uint32_t seed;
 
-/* ---- a monitor whose wait runs the others ------------------------------------------------------ */
+/* ---- a monitor whose wait runs the others ---------------------------------------------------- */
 
 static void enter(const struct etch_monitor *m)
 {
@@ -82,7 +82,7 @@ static void signal(const struct etch_monitor *m)
 static const struct etch_monitor monitor = {
     .enter = enter, .leave = leave, .wait = let_go_on, .signal = signal};
 
-/* ---- workers ------------------------------------------------------------------------------------- */
+/* ---- workers --------------------------------------------------------------------------------- */
 
 static int flush_in_order(const struct etch_display *d, struct etch_rect area,
                           const uint16_t *pixels, uint16_t stride)
@@ -171,7 +171,7 @@ static void open_workers(bool direct, bool in_order, int rows)
     }
 }
 
-/* ---- cases --------------------------------------------------------------------------------------- */
+/* ---- cases ----------------------------------------------------------------------------------- */
 
 /* Whatever the order, each pixel is drawn, sent once, and from a buffer that nobody touches. */
 static void any_order_of_workers(void)

@@ -1,6 +1,7 @@
-/* tests/workers: workers COUNT FRAMES: draws frames of a torus of 50,000 triangles by COUNT threads,
- * each of which counts as a worker; compares each with the frame of one thread on one surface, and
- * prints the microseconds that the frames took. workers.sh counts instructions in draw_share. */
+/* tests/workers: workers COUNT FRAMES: draws frames of a torus of 50,000 triangles by COUNT
+ * threads, each of which counts as a worker; compares each with the frame of one thread on one
+ * surface, and prints the microseconds that the frames took. workers.sh counts instructions in
+ * draw_share. */
 #define _POSIX_C_SOURCE 200809L
 #include <stdio.h>
 #include <stdlib.h>
@@ -27,7 +28,7 @@ static struct {
 } hand[MOST];
 static uint16_t glass[WIDTH * HEIGHT], expected[WIDTH * HEIGHT], depth[WIDTH * HEIGHT];
 
-/* ---- a display that has what it gets at once --------------------------------------------------- */
+/* ---- a display that has what it gets at once ------------------------------------------------- */
 
 static int flush(const struct etch_display *d, struct etch_rect area, const uint16_t *pixels,
                  uint16_t stride)
@@ -46,7 +47,7 @@ static int wait(const struct etch_display *d)
 static const struct etch_display display = {
     .width = WIDTH, .height = HEIGHT, .flush = flush, .wait = wait};
 
-/* ---- workers ------------------------------------------------------------------------------------- */
+/* ---- workers --------------------------------------------------------------------------------- */
 
 void draw_share(struct etch_worker *worker);
 

@@ -81,7 +81,7 @@ void torus_turn(struct torus *t, uint16_t turn, int16_t width, int16_t height)
     etch_mesh_stage_init(&t->stage, &t->mesh, &clip, etch_vertex_lit, &t->lighting);
 }
 
-/* ---- a share ----------------------------------------------------------------------------------- */
+/* ---- a share --------------------------------------------------------------------------------- */
 
 /* Where share `part` of n begins. */
 static uint16_t first_of(uint16_t part, uint16_t n)

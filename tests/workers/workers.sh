@@ -1,7 +1,8 @@
 #!/bin/sh
-# workers.sh PROGRAM DIR: what the busier of two workers executes, as a part of what one alone does, on
-# a scene of 50,000 triangles; instructions inside draw_share, counted by callgrind for each thread.
-# Fails above LIMIT. Beside it the time of ten frames, which depends on what else the machine does.
+# workers.sh PROGRAM DIR: what the busier of two workers executes, as a part of what one alone does,
+# on a scene of 50,000 triangles; instructions inside draw_share, counted by callgrind for each
+# thread. Fails above LIMIT. Beside it the time of ten frames, which depends on what else the
+# machine does.
 set -eu
 LIMIT=0.59
 program=$1 dir=$2
@@ -10,8 +11,9 @@ rm -rf "$dir" && mkdir -p "$dir"
 # $1 workers: the instructions of each thread, most first
 count()
 {
-    valgrind -q --tool=callgrind --separate-threads=yes --fair-sched=yes --toggle-collect=draw_share \
-        --callgrind-out-file="$dir/$1" "$program" "$1" 2 >"$dir/$1.log" 2>&1 || {
+    valgrind -q --tool=callgrind --separate-threads=yes --fair-sched=yes \
+        --toggle-collect=draw_share --callgrind-out-file="$dir/$1" "$program" "$1" 2 \
+        >"$dir/$1.log" 2>&1 || {
         cat "$dir/$1.log" >&2
         return 1
     }
@@ -26,8 +28,10 @@ fast=$("$program" 2 10)
 echo $alone $two "$slow" "$fast" | awk -v limit=$LIMIT '
     NF != 5 { print "FAIL: not one thread and two were counted"; exit 1 }
     {
-        printf "50000 triangles, instructions of 2 frames: one worker %d, two %d and %d\n", $1, $2, $3
+        printf "50000 triangles, instructions of 2 frames: "
+        printf "one worker %d, two %d and %d\n", $1, $2, $3
         printf "the busier of two executes %.3f of one alone (at most %s)\n", $2 / $1, limit
-        printf "wall clock of 10 frames: %.1f ms and %.1f ms, %.2f of one alone\n", $4 / 1000, $5 / 1000, $5 / $4
+        printf "wall clock of 10 frames: %.1f ms and %.1f ms, %.2f of one alone\n", $4 / 1000,
+            $5 / 1000, $5 / $4
         exit !($2 / $1 <= limit)
     }'
