@@ -1,0 +1,179 @@
+/* ports/tools/etch_image.c: etch-image, pictures (PPM, PGM, and PNG where libpng is) to C.
+ *
+ *      etch-image [OPTIONS] FILE                       lists formats: bytes, and how far they are off
+ *      etch-image [OPTIONS] -f FORMAT FILE >FILE.c     writes one
+ *
+ *      -f FORMAT   rgb565 rgb565_key rgb565_alpha index8 index4 index2 index1 (each also .._key)
+ *                  mask8 mask4; draw/image.h says what they are
+ *      -r          run-length compressed: a struct etch_rle_image (draw/image_rle.h)
+ *      -R SHIFT    its table has every 2^SHIFT-th row, 0 .. 15 (3)
+ *      -d          dithers colours
+ *      -k RRGGBB   pixels of exactly this colour are left out in formats with a key, and so are those
+ *                  whose alpha is below 128
+ *      -a FILE     takes alpha from how light the pixels of another picture of the same size are
+ *      -b RRGGBB   what is behind pixels that are not opaque in formats without alpha (000000)
+ *      -c RRGGBB   the colour of a mask (FFFFFF); another one: a copy of the struct with its palette
+ *      -s          colours byte-swapped
+ *      -t          names the functions for samplers too (fragment/sampler.h)
+ *      -n NAME     of the struct (image);  -i PATH  of core in #include (core);  -m COMMENT
+ *
+ * Sizes and errors go to stderr when C is written. A wrong argument or file: status 2, no output. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "image_format.h"
+
+static void read_color(uint8_t rgb[3], const char *text)
+{
+    char *end;
+    const unsigned long value = strtoul(text, &end, 16);
+
+    if (strlen(text) != 6 || *end != '\0')
+        image_fail("not a colour RRGGBB: ", text);
+    for (int i = 0; i < 3; i++)
+        rgb[i] = (uint8_t)(value >> (16 - 8 * i) & 255);
+}
+
+static const struct image_format *find_format(const char *name)
+{
+    const struct image_format *f = image_formats;
+
+    while (f->name != NULL && strcmp(f->name, name) != 0)
+        f++;
+    if (f->name == NULL)
+        image_fail("unknown format ", name);
+    return f;
+}
+
+static void take_alpha(struct picture *p, const char *path)
+{
+    struct picture from;
+
+    image_read(&from, path);
+    if (from.width != p->width || from.height != p->height)
+        image_fail("not of the same size: ", path);
+    for (size_t i = 0; i < (size_t)p->width * (size_t)p->height; i++) {
+        const uint8_t *const c = from.rgba + 4 * i;
+
+        p->rgba[4 * i + 3] = (uint8_t)((c[0] * 77 + c[1] * 151 + c[2] * 28 + 128) >> 8);
+    }
+    p->alpha = true;
+    free(from.rgba);
+}
+
+static bool is_name(const char *name)
+{
+    const char *const letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_";
+
+    return strchr(letters, name[0]) != NULL && name[0] != '\0' &&
+           name[strspn(name, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789")] ==
+               '\0';
+}
+
+static void close_packed(struct packed *packed)
+{
+    free(packed->texels.bytes);
+    free(packed->texels.rows);
+    free(packed->alpha.bytes);
+    free(packed->alpha.rows);
+    free(packed->shown);
+}
+
+static void report(FILE *out, const struct packed *packed, const struct picture *p,
+                   const struct image_options *options)
+{
+    const struct image_error error = image_compare(packed, p, options);
+
+    fprintf(out, "%-12s %8lu bytes   mean %6.3f   max %3d   PSNR ", packed->format->name,
+            (unsigned long)image_size(packed, options), error.mean, error.most);
+    if (error.most == 0)
+        fprintf(out, "exact\n");
+    else
+        fprintf(out, "%.2f dB\n", error.psnr);
+}
+
+static void list(const struct picture *p, const struct image_options *options)
+{
+    for (const struct image_format *f = image_formats; f->name != NULL; f++) {
+        struct packed packed;
+
+        image_pack(&packed, p, f, options);
+        report(stdout, &packed, p, options);
+        close_packed(&packed);
+    }
+}
+
+static int shift_of(const char *text)
+{
+    char *end;
+    const long value = strtol(text, &end, 10);
+
+    if (*text == '\0' || *end != '\0' || value < 0 || value > 15)
+        image_fail("not 0 to 15: ", text);
+    return (int)value;
+}
+
+/* Options into `option` by their letter; returns the number of the first argument behind them. */
+static int read_options(const char *option[128], int argc, char **argv)
+{
+    int i = 1;
+
+    for (; i < argc && argv[i][0] == '-'; i++) {
+        const char letter = argv[i][1];
+
+        if (letter == '\0' || argv[i][2] != '\0' || strchr("fRkabcnimrdst", letter) == NULL)
+            image_fail("unknown option ", argv[i]);
+        if (strchr("rdst", letter) != NULL) {
+            option[(int)letter] = "";
+            continue;
+        }
+        if (i + 1 == argc)
+            image_fail("nothing behind ", argv[i]);
+        option[(int)letter] = argv[++i];
+    }
+    return i;
+}
+
+int main(int argc, char **argv)
+{
+    const char *option[128] = {
+        ['n'] = "image",  ['i'] = "core",   ['m'] = "Generated by etch-image.",
+        ['b'] = "000000", ['c'] = "FFFFFF", ['R'] = "3"};
+    const int first = read_options(option, argc, argv);
+    struct image_options options = {.dither = option['d'] != NULL,
+                                    .swapped = option['s'] != NULL,
+                                    .sampled = option['t'] != NULL,
+                                    .compressed = option['r'] != NULL,
+                                    .has_key = option['k'] != NULL,
+                                    .rows_shift = shift_of(option['R'])};
+    const struct image_format *format = NULL;
+    struct picture p;
+    struct packed packed;
+
+    if (first + 1 != argc)
+        image_fail("usage: etch-image [-f FORMAT] [-r] [-d] [-s] [-t] [-k RRGGBB] [-a FILE] FILE",
+                   "");
+    if (options.has_key)
+        read_color(options.key, option['k']);
+    read_color(options.background, option['b']);
+    read_color(options.ink, option['c']);
+    if (!is_name(option['n']))
+        image_fail("not a name of C: ", option['n']);
+    if (option['f'] != NULL)
+        format = find_format(option['f']);
+    image_read(&p, argv[first]);
+    if (option['a'] != NULL)
+        take_alpha(&p, option['a']);
+    if (format == NULL) {
+        list(&p, &options);
+    } else {
+        image_pack(&packed, &p, format, &options);
+        report(stderr, &packed, &p, &options);
+        image_write(stdout, &packed, &options, option['n'], option['i'], option['m']);
+        close_packed(&packed);
+    }
+    free(p.rgba);
+    if (fflush(stdout) != 0 || ferror(stdout) != 0)
+        image_fail("cannot write", "");
+    return 0;
+}
