@@ -22,12 +22,15 @@
 #if defined(__GNUC__)
 #define ETCH_INLINE static inline __attribute__((always_inline, unused))
 #define ETCH_COLD __attribute__((noinline, cold))
+/* Never inlined, so that its locals do not stand on the stack under all else that its caller calls. */
+#define ETCH_APART __attribute__((noinline))
 /* Makes the compiler take the value of a local as it stands, so that in a hot loop it neither
  * rearranges sums nor computes them a second time. No instruction. */
 #define ETCH_KEEP(local) __asm__("" : "+r"(local))
 #else
 #define ETCH_INLINE static inline
 #define ETCH_COLD
+#define ETCH_APART
 #define ETCH_KEEP(local) ((void)0)
 #endif
 

@@ -22,16 +22,26 @@ void etch_mesh_transform(const struct etch_mesh_stage *stage, const struct etch_
     etch_mesh_transform_range(stage, viewport, buffer, 0, stage->mesh->vertex_count);
 }
 
-/* A triangle that crosses near, far or a guard plane goes the long way round. */
-static ETCH_COLD void assemble_clipped(const struct etch_mesh_stage *stage,
-                                       const struct etch_assembly *assembly,
-                                       const uint16_t index[3])
+static ETCH_COLD uint8_t clip(const struct etch_mesh_stage *stage,
+                              const struct etch_assembly *assembly, const uint16_t index[3],
+                              struct etch_vertex out[ETCH_CLIP_MAX])
 {
     struct etch_clip_vertex v[3];
 
     for (int i = 0; i < 3; i++)
         stage->vertex(stage, index[i], &v[i]);
-    etch_assemble_triangle(assembly, v);
+    return etch_assemble_polygon(assembly, v, out);
+}
+
+/* A triangle that crosses near, far or a guard plane goes the long way round. */
+static ETCH_COLD void assemble_clipped(const struct etch_mesh_stage *stage,
+                                       const struct etch_assembly *assembly,
+                                       const uint16_t index[3])
+{
+    struct etch_vertex polygon[ETCH_CLIP_MAX];
+    const uint8_t n = clip(stage, assembly, index, polygon);
+
+    etch_assemble_projected(assembly, polygon, n);
 }
 
 /* All in the colour of v[0]. */

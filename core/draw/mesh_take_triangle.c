@@ -2,14 +2,23 @@
  * See mesh_elements.h. */
 #include "mesh_elements.h"
 
-/* A triangle that is flat, or crosses near, far or a guard plane, goes the long way round. */
-static ETCH_COLD void assemble_again(const struct etch_mesh_elements *e, const uint16_t index[3])
+static ETCH_COLD uint8_t clip(const struct etch_mesh_elements *e, const uint16_t index[3],
+                              struct etch_vertex out[ETCH_CLIP_MAX])
 {
     struct etch_clip_vertex v[3];
 
     for (int i = 0; i < 3; i++)
         e->stage->vertex(e->stage, index[i], &v[i]);
-    etch_assemble_triangle(e->assembly, v);
+    return etch_assemble_polygon(e->assembly, v, out);
+}
+
+/* A triangle that is flat, or crosses near, far or a guard plane, goes the long way round. */
+static ETCH_COLD void assemble_again(const struct etch_mesh_elements *e, const uint16_t index[3])
+{
+    struct etch_vertex polygon[ETCH_CLIP_MAX];
+    const uint8_t n = clip(e, index, polygon);
+
+    etch_assemble_projected(e->assembly, polygon, n);
 }
 
 void etch_mesh_take_triangle(struct etch_element_sink *sink, const uint16_t *index)

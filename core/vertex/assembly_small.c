@@ -103,12 +103,18 @@ static ETCH_COLD void emit(const struct etch_assembly *assembly, const struct et
         assembly->sink->triangle(assembly->sink, v);
 }
 
+/* Corners in clip space, and then on the screen. */
+union polygon {
+    struct etch_clip_vertex clip[ETCH_CLIP_MAX];
+    struct etch_vertex screen[ETCH_CLIP_MAX];
+};
+
 void etch_assemble_triangle_small(const struct etch_assembly *assembly,
                                   const struct etch_clip_vertex v[3])
 {
     const struct etch_viewport *const viewport = &assembly->viewport;
-    struct etch_clip_vertex polygon[2][ETCH_CLIP_MAX] = {{v[0], v[1], v[2]}};
-    struct etch_vertex out[ETCH_CLIP_MAX];
+    union polygon polygon[2] = {{.clip = {v[0], v[1], v[2]}}};
+    struct etch_vertex *const out = polygon[1].screen; /* the last plane leaves it free */
     uint8_t n = 3;
 
     for (uint8_t i = 0; i < PLANES; i++) {
@@ -119,14 +125,14 @@ void etch_assemble_triangle_small(const struct etch_assembly *assembly,
                 return;
     }
     for (uint8_t i = 0; i < 3; i++)
-        scale_up(&polygon[0][i]);
+        scale_up(&polygon[0].clip[i]);
     for (uint8_t i = 0; i < PLANES && n != 0; i++)
-        n = clip(polygon[~i & 1], polygon[i & 1], n, i,
+        n = clip(polygon[~i & 1].clip, polygon[i & 1].clip, n, i,
                  i < 2   ? 0
                  : i < 4 ? viewport->guard_x
                          : viewport->guard_y);
     for (uint8_t i = 0; i < n; i++) {
-        struct etch_clip_vertex *const corner = &polygon[0][i];
+        struct etch_clip_vertex *const corner = &polygon[0].clip[i];
 
         if (corner->w <= 0) /* the eye itself: the triangle is seen edge-on */
             return;

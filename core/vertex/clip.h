@@ -25,7 +25,7 @@
  * order of v, to out (room for ETCH_CLIP_MAX). Returns its number of vertices, 0 or 3 ..
  * ETCH_CLIP_MAX. Each has w > 0 and can be projected; x, y, z, w of new vertices have a scale of
  * their own (only their ratios have a meaning). Every input is legal, w <= 0 and the
- * degenerate included. About 1 KB of stack. Meant for the few triangles that cross a plane: it
+ * degenerate included. Some 460 bytes of stack. Meant for the few triangles that cross a plane: it
  * costs many times the set-up of one that does not. */
 uint8_t etch_clip_triangle(const struct etch_viewport *viewport, const struct etch_clip_vertex v[3],
                            struct etch_clip_vertex out[ETCH_CLIP_MAX]);

@@ -11,7 +11,7 @@
 /* One end of what is left: a vertex, or where the line meets a plane. */
 struct end {
     bool is_cut;
-    struct corner corner;
+    struct corner_weights corner;
     struct corner_line plane;
 };
 
@@ -30,13 +30,13 @@ static void set_plane(struct corner_line *plane, const struct etch_clip_vertex v
 /* Moves an end to the plane unless it is beyond it already. */
 static void move(struct end *end, const struct corner_line *plane)
 {
-    const struct corner_line lines[2] = {{{0, 0, 1}}, *plane};
+    const struct corner_line edge = {{0, 0, 1}};
 
     if (end->is_cut && etch_corner_is_inside(&end->corner, plane))
         return;
     end->is_cut = true;
     end->plane = *plane;
-    etch_corner_meet(&end->corner, lines, 0, 1);
+    etch_corner_meet(&end->corner, &edge, plane);
 }
 
 /* Cuts at one plane. False if the line is outside. */
@@ -62,7 +62,8 @@ static bool is_ordered(const struct end end[2])
 static void resolve(struct etch_clip_vertex *out, const struct end *end, uint8_t i,
                     const struct etch_clip_vertex v[2])
 {
-    const struct etch_clip_vertex triangle[3] = {v[0], v[1], v[1]}; /* the third weighs nothing */
+    /* the third weighs nothing */
+    const struct etch_clip_vertex *const triangle[3] = {&v[0], &v[1], &v[1]};
 
     if (end->is_cut)
         etch_corner_resolve(out, &end->corner, triangle);

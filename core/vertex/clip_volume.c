@@ -1,5 +1,5 @@
-/* vertex/clip_volume.c: Sutherland-Hodgman as a pipeline of six planes. Called by assembly_volume.c
- * and by applications. See clip_volume.h; corner.c computes the corners.
+/* vertex/clip_volume.c: Sutherland-Hodgman as a pipeline of six planes. Called by
+ * clip_volume_assembly.c and by applications. See clip_volume.h; corner_plane.c computes the corners.
  *
  * A corner is where two lines of the triangle's plane meet, so two that follow each other have the
  * line between them in common, and that is what a stage cuts. */
@@ -7,9 +7,8 @@
 #include "corner.h"
 
 enum {
-    EDGES = 3,
-    PLANES = 6,
-    LINES = EDGES + PLANES
+    EDGES = CORNER_EDGES,
+    PLANES = CORNER_LINES - CORNER_EDGES
 };
 
 struct stage {
@@ -23,32 +22,16 @@ struct item {
 };
 
 struct pipeline {
-    struct corner_line line[LINES];
+    struct corner_triangle t; /* without guard: the planes are those of the volume */
     struct stage stage[PLANES];
-    const struct etch_clip_vertex *v;
     struct etch_clip_vertex *out;
     uint8_t n;
 };
 
-/* The edges opposite to each vertex, then near, far and the sides. */
-static void set_lines(struct corner_line line[LINES], const struct etch_clip_vertex v[3])
-{
-    for (int j = 0; j < EDGES; j++) {
-        const int64_t w = v[j].w, c[PLANES / 2] = {v[j].z, v[j].x, v[j].y};
-
-        for (int i = 0; i < EDGES; i++)
-            line[i].at[j] = i == j;
-        for (int i = 0; i < PLANES / 2; i++) {
-            line[EDGES + 2 * i].at[j] = w + c[i];
-            line[EDGES + 2 * i + 1].at[j] = w - c[i];
-        }
-    }
-}
-
 /* Where the way meets the plane of stage i. From outside, the outline has come along the plane. */
-static void cut(const struct pipeline *p, uint8_t i, uint8_t way, bool enters, struct item *out)
+static void cut(uint8_t i, uint8_t way, bool enters, struct item *out)
 {
-    etch_corner_meet(&out->corner, p->line, way, (uint8_t)(EDGES + i));
+    out->corner = (struct corner){{way, (uint8_t)(EDGES + i)}};
     out->way = enters ? (uint8_t)(EDGES + i) : way;
     out->to = (uint8_t)(i + 1);
 }
@@ -58,19 +41,18 @@ static void finish(struct pipeline *p, const struct corner *c)
 {
     if (p->n == ETCH_CLIP_MAX)
         return;
-    if (c->line[0] < EDGES && c->line[1] < EDGES)
-        p->out[p->n] = p->v[EDGES - c->line[0] - c->line[1]];
-    else
-        etch_corner_resolve(&p->out[p->n], c, p->v);
-    p->n++;
+    etch_corner_take(&p->out[p->n++], &p->t, c);
 }
 
 /* One corner through stage i: 0 to 2 of them, the first last. */
 static uint8_t pass(struct pipeline *p, uint8_t i, const struct item *in, struct item out[2])
 {
     struct stage *const s = &p->stage[i];
-    const bool inside = etch_corner_is_inside(&in->corner, &p->line[EDGES + i]);
+    struct corner_line plane;
     uint8_t n = 0;
+
+    etch_corner_line(&plane, &p->t, (uint8_t)(EDGES + i));
+    const bool inside = etch_corner_is_in_plane(&p->t, &in->corner, &plane);
 
     if (inside) {
         out[n] = *in;
@@ -79,7 +61,7 @@ static uint8_t pass(struct pipeline *p, uint8_t i, const struct item *in, struct
     if (!s->any)
         s->first_inside = inside;
     else if (inside != s->last_inside)
-        cut(p, i, in->way, inside, &out[n++]);
+        cut(i, in->way, inside, &out[n++]);
     s->any = true;
     s->last_inside = inside;
     return n;
@@ -111,7 +93,7 @@ static void close(struct pipeline *p, uint8_t way)
         struct item c;
 
         if (s->any && s->first_inside != s->last_inside) {
-            cut(p, i, way, s->first_inside, &c);
+            cut(i, way, s->first_inside, &c);
             hand_on(p, &c);
         }
         if (s->any && !s->first_inside)
@@ -124,16 +106,15 @@ uint8_t etch_clip_triangle_volume(const struct etch_clip_vertex v[3],
 {
     struct pipeline p;
 
-    set_lines(p.line, v);
+    p.t = (struct corner_triangle){{&v[0], &v[1], &v[2]}, 0, 0};
     for (uint8_t i = 0; i < PLANES; i++)
         p.stage[i].any = false;
-    p.v = v;
     p.out = out;
     p.n = 0;
     for (uint8_t i = 0; i < 3; i++) {
         struct item vertex;
 
-        etch_corner_vertex(&vertex.corner, i);
+        vertex.corner = etch_corner_vertex(i);
         vertex.way = (uint8_t)(i > 0 ? (i + 1) % 3 : 1);
         vertex.to = 0;
         hand_on(&p, &vertex);

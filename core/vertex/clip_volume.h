@@ -22,7 +22,7 @@
 #include "assembly.h"
 
 /* Clips v and writes the polygon, in the order of v, to out (room for ETCH_CLIP_MAX). Returns its
- * number of vertices, 0 or 3 .. ETCH_CLIP_MAX, as etch_clip_triangle does. Some 700 bytes of
+ * number of vertices, 0 or 3 .. ETCH_CLIP_MAX, as etch_clip_triangle does. Some 550 bytes of
  * stack. */
 uint8_t etch_clip_triangle_volume(const struct etch_clip_vertex v[3],
                                   struct etch_clip_vertex out[ETCH_CLIP_MAX]);

@@ -1,5 +1,5 @@
-/* vertex/corner.c: where lines of a triangle meet, exactly. Called by corner_clip.c, clip.c and
- * varying.c. See corner.h.
+/* vertex/corner.c: where lines of a triangle meet, exactly. Called by corner_plane.c, corner_clip.c,
+ * clip_line_planes.c and varying.c. See corner.h.
  *
  * Widths: a line's numbers have 42 bits, weights are differences of two products of them, 85
  * bits, and a corner's distance or coordinate is a sum of three weights times 42 bits. */
@@ -21,22 +21,6 @@ static uint64_t size(int64_t v)
 }
 
 /* ---- weights -------------------------------------------------------------------------------- */
-
-int8_t etch_corner_which(const struct corner *c)
-{
-    const bool is_vertex = c->line[0] < CORNER_EDGES && c->line[1] < CORNER_EDGES;
-
-    return (int8_t)(is_vertex ? CORNER_EDGES - c->line[0] - c->line[1] : -1);
-}
-
-void etch_corner_vertex(struct corner *corner, uint8_t i)
-{
-    const uint8_t next = (uint8_t)(i < 2 ? i + 1 : 0);
-    const struct corner c = {{{0}, {0}, {0}}, {next, (uint8_t)(3 - i - next)}};
-
-    *corner = c;
-    corner->weight[i][0] = 1;
-}
 
 /* limb[] = |a b - c d| for factors below 2^41 + 2^32. a and c are taken apart at bit 21, so that
  * the difference is high * 2^21 + low with |high| < 2^62 + 2^55, low below 2^21. */
@@ -61,15 +45,14 @@ static void set_weight(uint16_t limb[CORNER_LIMBS], int64_t a, int64_t b, int64_
 
 /* The cross product of the lines. Where they meet inside the triangle its three numbers have one
  * sign, so magnitudes will do. */
-void etch_corner_meet(struct corner *corner, const struct corner_line *lines, uint8_t a, uint8_t b)
+void etch_corner_meet(struct corner_weights *weights, const struct corner_line *a,
+                      const struct corner_line *b)
 {
-    const int64_t *const p = lines[a].at, *const q = lines[b].at;
+    const int64_t *const p = a->at, *const q = b->at;
 
-    set_weight(corner->weight[0], p[1], q[2], p[2], q[1]);
-    set_weight(corner->weight[1], p[2], q[0], p[0], q[2]);
-    set_weight(corner->weight[2], p[0], q[1], p[1], q[0]);
-    corner->line[0] = a;
-    corner->line[1] = b;
+    set_weight(weights->weight[0], p[1], q[2], p[2], q[1]);
+    set_weight(weights->weight[1], p[2], q[0], p[0], q[2]);
+    set_weight(weights->weight[2], p[0], q[1], p[1], q[0]);
 }
 
 /* ---- weighted sums --------------------------------------------------------------------------- */
@@ -81,7 +64,7 @@ struct sum {
 };
 
 /* The sum of weight i times v[i], |v[i]| < 2^42. */
-static void weigh(struct sum *sum, const struct corner *c, const int64_t v[3])
+static void weigh(struct sum *sum, const struct corner_weights *c, const int64_t v[3])
 {
     int64_t carry = 0; /* below 3 * 2^57 + 2^45 */
 
@@ -96,11 +79,11 @@ static void weigh(struct sum *sum, const struct corner *c, const int64_t v[3])
     sum->high = carry;
 }
 
-bool etch_corner_is_inside(const struct corner *corner, const struct corner_line *line)
+bool etch_corner_is_inside(const struct corner_weights *weights, const struct corner_line *line)
 {
     struct sum distance;
 
-    weigh(&distance, corner, line->at);
+    weigh(&distance, weights, line->at);
     return distance.high >= 0;
 }
 
@@ -126,7 +109,7 @@ static void round_sums(int32_t v[4], struct sum sums[4])
 }
 
 /* The leading bits of the weights and their sum, below 2^23: enough for 8-bit attributes. */
-static void leading_weights(uint32_t leading[4], const struct corner *c)
+static void leading_weights(uint32_t leading[4], const struct corner_weights *c)
 {
     uint64_t w[3] = {0, 0, 0};
     uint8_t down = 0;
@@ -142,7 +125,7 @@ static void leading_weights(uint32_t leading[4], const struct corner *c)
 }
 
 /* One coordinate of the corner from those of the vertices. */
-static void coordinate(struct sum *sum, const struct corner *corner, etch_q16 a, etch_q16 b,
+static void coordinate(struct sum *sum, const struct corner_weights *corner, etch_q16 a, etch_q16 b,
                        etch_q16 c)
 {
     const int64_t v[3] = {a, b, c};
@@ -156,27 +139,25 @@ static uint8_t channel(const uint32_t k[4], uint8_t a, uint8_t b, uint8_t c)
     return (uint8_t)((k[0] * a + k[1] * b + k[2] * c + k[3] / 2) / k[3]);
 }
 
-void etch_corner_resolve(struct etch_clip_vertex *out, const struct corner *corner,
-                         const struct etch_clip_vertex triangle[3])
+void etch_corner_resolve(struct etch_clip_vertex *out, const struct corner_weights *weights,
+                         const struct etch_clip_vertex *const v[3])
 {
-    const struct etch_clip_vertex *const a = &triangle[0];
-    const struct etch_clip_vertex *const b = &triangle[1];
-    const struct etch_clip_vertex *const c = &triangle[2];
+    const struct etch_clip_vertex *const a = v[0], *const b = v[1], *const c = v[2];
     struct sum sums[4];
-    int32_t v[4];
+    int32_t at[4];
     uint32_t k[4];
 
-    coordinate(&sums[0], corner, a->x, b->x, c->x);
-    coordinate(&sums[1], corner, a->y, b->y, c->y);
-    coordinate(&sums[2], corner, a->z, b->z, c->z);
-    coordinate(&sums[3], corner, a->w, b->w, c->w);
-    round_sums(v, sums);
-    out->x = v[0];
-    out->y = v[1];
-    out->z = v[2];
-    out->w = v[3];
+    coordinate(&sums[0], weights, a->x, b->x, c->x);
+    coordinate(&sums[1], weights, a->y, b->y, c->y);
+    coordinate(&sums[2], weights, a->z, b->z, c->z);
+    coordinate(&sums[3], weights, a->w, b->w, c->w);
+    round_sums(at, sums);
+    out->x = at[0];
+    out->y = at[1];
+    out->z = at[2];
+    out->w = at[3];
 
-    leading_weights(k, corner);
+    leading_weights(k, weights);
     out->r = channel(k, a->r, b->r, c->r);
     out->g = channel(k, a->g, b->g, c->g);
     out->b = channel(k, a->b, b->b, c->b);

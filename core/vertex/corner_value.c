@@ -43,7 +43,7 @@ static bool take(struct wide *a, const struct wide *b)
 
 /* Division of the sum of weight[i] * (value[i] - least) by the sum of the weights, a bit of all the
  * values at a time: the remainder stays below the divisor, so a step adds at most three of it. */
-int64_t etch_corner_value(const struct corner *corner, const int32_t value[3],
+int64_t etch_corner_value(const struct corner_weights *weights, const int32_t value[3],
                           uint8_t fraction_bits)
 {
     const int32_t least_two = value[0] < value[1] ? value[0] : value[1];
@@ -52,7 +52,7 @@ int64_t etch_corner_value(const struct corner *corner, const int32_t value[3],
     uint64_t quotient = 0; /* below 2^63 */
 
     for (uint8_t i = 0; i < 3; i++) {
-        weight[i] = from_limbs(corner->weight[i]);
+        weight[i] = from_limbs(weights->weight[i]);
         add(&all, &weight[i]);
     }
     for (int8_t bit = (int8_t)(31 + fraction_bits); bit >= 0; bit--) {

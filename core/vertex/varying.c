@@ -45,29 +45,27 @@ static void common_unit(struct screen_vertex *out, const uint64_t *w, uint8_t n)
 
 /* Sets one corner of a clipped triangle but for its w, which it returns with W_BITS more bits.
  * False if the corner is the eye itself: the triangle is seen edge-on. */
-static bool set_corner(const struct etch_assembly *assembly, const struct corner *corner,
-                       const struct etch_clip_vertex *const v[3], uint8_t count,
-                       struct screen_vertex *out, uint64_t *w)
+static bool set_corner(const struct etch_assembly *assembly, const struct corner_triangle *t,
+                       const struct corner *corner, uint8_t count, struct screen_vertex *out,
+                       uint64_t *w)
 {
-    const struct etch_clip_vertex triangle[3] = {*v[0], *v[1], *v[2]};
-    const int32_t w3[3] = {v[0]->w, v[1]->w, v[2]->w};
-    const int8_t which = etch_corner_which(corner);
+    const struct etch_clip_vertex *const a = t->v[0], *const b = t->v[1], *const c = t->v[2];
+    const int32_t w3[3] = {a->w, b->w, c->w};
+    struct corner_weights weights;
     struct etch_clip_vertex at;
 
-    if (which >= 0)
-        at = *v[which];
-    else
-        etch_corner_resolve(&at, corner, triangle);
+    etch_corner_take(&at, t, corner);
     if (at.w <= 0)
         return false;
     if (assembly->flat)
-        at.r = v[0]->r, at.g = v[0]->g, at.b = v[0]->b, at.a = v[0]->a;
+        at.r = a->r, at.g = a->g, at.b = a->b, at.a = a->a;
     etch_viewport_project(&assembly->viewport, &at, &out->at);
-    *w = (uint64_t)etch_corner_value(corner, w3, W_BITS);
+    etch_corner_weights(&weights, t, corner);
+    *w = (uint64_t)etch_corner_value(&weights, w3, W_BITS);
     for (uint8_t i = 0; i < count; i++) {
-        const int32_t value[3] = {varyings(v[0])[i], varyings(v[1])[i], varyings(v[2])[i]};
+        const int32_t value[3] = {varyings(a)[i], varyings(b)[i], varyings(c)[i]};
 
-        *place(out, i) = (int32_t)etch_corner_value(corner, value, 0);
+        *place(out, i) = (int32_t)etch_corner_value(&weights, value, 0);
     }
     return true;
 }
@@ -75,25 +73,25 @@ static bool set_corner(const struct etch_assembly *assembly, const struct corner
 static ETCH_COLD void assemble_clipped(const struct etch_assembly *assembly,
                                        const struct etch_clip_vertex *const v[3], uint8_t count)
 {
-    struct corner_work work;
+    const struct corner_triangle t = {
+        {v[0], v[1], v[2]}, assembly->viewport.guard_x, assembly->viewport.guard_y};
+    struct corner corner[ETCH_CLIP_MAX];
     struct screen_vertex out[ETCH_CLIP_MAX];
     uint64_t w[ETCH_CLIP_MAX];
     const struct etch_vertex *ring[ETCH_CLIP_MAX];
-    const struct etch_clip_vertex triangle[3] = {*v[0], *v[1], *v[2]};
-    const struct corner_polygon *const polygon = etch_corner_clip(&work, &assembly->viewport,
-                                                                  triangle);
+    const uint8_t n = etch_corner_clip(&t, corner);
 
-    for (uint8_t i = 0; i < polygon->n; i++) {
-        if (!set_corner(assembly, &polygon->corner[i], v, count, &out[i], &w[i]))
+    for (uint8_t i = 0; i < n; i++) {
+        if (!set_corner(assembly, &t, &corner[i], count, &out[i], &w[i]))
             return;
         ring[i] = &out[i].at;
     }
-    common_unit(out, w, polygon->n);
-    etch_fan_emit(assembly, ring, polygon->n);
+    common_unit(out, w, n);
+    etch_fan_emit(assembly, ring, n);
 }
 
-static void assemble_whole(const struct etch_assembly *assembly,
-                           const struct etch_clip_vertex *const v[3], uint8_t count)
+static ETCH_APART void assemble_whole(const struct etch_assembly *assembly,
+                                      const struct etch_clip_vertex *const v[3], uint8_t count)
 {
     struct screen_vertex out[3];
     const struct etch_vertex *const ring[3] = {&out[0].at, &out[1].at, &out[2].at};

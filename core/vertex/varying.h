@@ -36,8 +36,8 @@ struct etch_clip_texture_vertex {
 };
 
 /* Takes one triangle through reject, clip, project and cull (assembly.h) to assembly->sink, with
- * count = 2 .. ETCH_VARYINGS varyings behind each v[i] (other counts take the nearest). `flat` concerns the colour alone. Every input is legal. About 2 KB of
- * stack. */
+ * count = 2 .. ETCH_VARYINGS varyings behind each v[i] (other counts take the nearest). `flat` concerns the colour alone. Every input is legal. About 1 KB of
+ * stack, and what the sink takes. */
 void etch_assemble_varying(const struct etch_assembly *assembly,
                            const struct etch_clip_vertex *const v[3], uint8_t count);
 

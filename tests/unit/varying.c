@@ -64,7 +64,7 @@ static void values_are_rounded_once(void)
 
     for (n = 0; n < TEST_COUNT(60000) && !test_failed(); n++) {
         const uint8_t bits = n % 2 == 0 ? 0 : 31;
-        struct corner corner = {.line = {0, 3}};
+        struct corner_weights corner;
         struct wide weight[3];
         int32_t value[3];
         int64_t got;
