@@ -14,7 +14,8 @@
  *
  * Any data is legal. A row whose data ends too soon is drawn up to there; a packet that goes on beyond its
  * row is cut, and the next row begins behind it; a row whose offset is not in the data is not drawn.
- * Nothing outside data[0 .. size - 1], the rows' table and the caller's line is read or written.
+ * Nothing outside data[0 .. size - 1], the rows' table, the palette (2^bits colours: etch-image writes
+ * so many) and the caller's line is read or written.
  * Source: PackBits (Apple, Technical Note TN1023, 1996), with other numbers.
  */
 #ifndef ETCH_DRAW_IMAGE_RLE_H

@@ -74,8 +74,8 @@ struct etch_mesh_vertex {
 void etch_mesh_transform(const struct etch_mesh_stage *stage, const struct etch_viewport *viewport,
                          struct etch_mesh_vertex *buffer);
 
-/* The same for vertices first .. end - 1, at most vertex_count, into their places of the same buffer:
- * a share of the work for one of several workers. */
+/* The same for vertices first .. end - 1, at most vertex_count, into their places of the same
+ * buffer: a share of the work for one of several workers. */
 void etch_mesh_transform_range(const struct etch_mesh_stage *stage,
                                const struct etch_viewport *viewport,
                                struct etch_mesh_vertex *buffer, uint16_t first, uint16_t end);
