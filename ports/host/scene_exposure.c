@@ -26,7 +26,7 @@ static bool accumulate(struct etch_scene_frame *frame, struct etch_surface *surf
 
     for (int32_t i = 0; ok && i < n; i++) {
         ok = draw(frame, surface, false, i);
-        etch_accumulation_add(&plane, surface, 1);
+        (i == 0 ? etch_accumulation_load : etch_accumulation_add)(&plane, surface, 1);
     }
     if (ok && swapped) {
         etch_accumulation_return_swapped(&plane, surface, (uint16_t)n);
