@@ -78,12 +78,17 @@ etch_texel_filter etch_filter_nearest;
 /* The four texels round (u, v), weighted by how near their centres are, as OpenGL's GL_LINEAR: at
  * the centre of a texel that texel, exactly. Weights have 11 bits and sum to 1: the result errs by
  * at most 1/1024 of the greatest difference between the four texels, and 1/2 unit of the chunk's
- * formats, against exact rational weights. 420 bytes of stack on ARM. */
+ * formats, against exact rational weights. Colours and alpha are weighted alike and apart: colours
+ * are not multiplied by alpha first, so the colour of transparent texels shows at the edge of what
+ * is opaque (mipmap.h says what to do). 420 bytes of stack on ARM. */
 etch_texel_filter etch_filter_linear;
 
 /* The same, fused for opaque RGB565 with sides that are powers of two, repeated, in half the time;
  * they do not look at the sampler's other functions. texel.h makes others in a line. */
 etch_texel_filter etch_filter_nearest_power, etch_filter_linear_power;
+
+/* etch_filter_linear fused for opaque RGB565 of any size, clamped. */
+etch_texel_filter etch_filter_linear_clamp;
 
 struct etch_sampler {
     struct etch_image image;

@@ -40,7 +40,7 @@ static void add_pixel(struct sum *s, const struct packed *packed, const struct p
 struct image_error image_compare(const struct packed *packed, const struct picture *p,
                                  const struct image_options *options)
 {
-    struct image_error error = {0, INFINITY, 0};
+    struct image_error error = {0, HUGE_VAL, 0};
     struct sum s = {0, 0, 0, 0};
 
     for (size_t i = 0; i < (size_t)p->width * (size_t)p->height; i++)
