@@ -92,7 +92,7 @@ FORCE:
 # ---- tests ----------------------------------------------------------------------------------------
 
 TEST_STEPS  := unit stores golden cli readme features
-CHECK_STEPS := test test-clang test32 test-size sanitize uninit symbols includes lint
+CHECK_STEPS := test test-clang test32 test-size sanitize uninit symbols includes stack lint
 
 .PHONY: test
 test: $(UNIT_TEST) $(ETCH_SIM) ## all tests that need only gcc and make

@@ -1,54 +1,45 @@
 #!/usr/bin/env python3
-"""stack.py GRAPHS BUDGETS: worst-case stack of the public functions of core and hal, from the frames
-and calls that gcc writes beside its objects (-fcallgraph-info=su: GRAPHS/**/*.ci).
+"""stack.py GRAPHS BUDGETS TABLE: worst-case stack of the public functions of core and hal, from the
+frames and calls that gcc writes beside its objects (-fcallgraph-info=su: GRAPHS/**/*.ci).
 
-A call through a pointer counts as the deepest of the library's own functions that may stand there.
-POINTERS says which, by the last name of the expression that is called: those of a function type,
-those whose names fit, or none: then it is a function of the caller's own, which comes on top. A
-function stands on the stack once, or as often as RECURSION says. A pointer that no list knows is an
-error, so that nothing new goes uncounted. libgcc's division takes LIBGCC bytes at most and may be
-called by any function.
+Functions that a caller gives (a kernel, a painter, a vertex function, a sink ..) take stack of their
+own, and the same function takes any of them. So a function has two figures: `alone`, with nothing of
+the caller's counted, and `under`, what stands on the stack below the deepest call of the caller's
+function. The whole is the greater of `alone` and `under` + the given function's `alone`.
 
-BUDGETS has lines "BYTES  POINTER=NAMES ..  NAME .."; names may have *. POINTER=NAMES restricts what
-stands behind a pointer for this line, since a caller chooses it. Prints a table of these functions, deepest
-first in each line's group, and fails where one exceeds its budget or fits no function."""
+A call through a pointer is looked up by the last name of the expression that is called. POINTERS says
+what may stand there: USER, a function of the caller's; else those of a function type, or those whose
+names fit, of which the deepest counts. A pointer that no list knows is an error, so that nothing new
+goes uncounted. A function stands on the stack once, or as often as RECURSION says. libgcc's division
+takes LIBGCC bytes at most and may be called by any function: it is in every figure.
+
+BUDGETS has lines of two kinds, of names that may have *:
+    BYTES alone NAME ..                   both figures of functions by themselves; the last line counts
+    BYTES POINTER=NAMES .. NAME ..        the whole, with these functions behind the pointers
+Prints the whole and fails where something exceeds its budget or a name fits no function; writes
+all figures to TABLE."""
 import fnmatch
-import functools
 import glob
 import re
 import sys
 
 LIBGCC = 24
-USER = []
-POINTERS = {  # name: a function type, or names of functions
-    "kernel": "etch_kernel", "vertex": "etch_vertex_function", "inner": "etch_vertex_function",
-    "run": "etch_stage_function", "shade": "etch_shade_function", "kind": "etch_lamp_function",
-    "filter": "etch_texel_filter", "wrap_u": "etch_texel_wrap", "wrap_v": "etch_texel_wrap",
-    "colors": "etch_texel_colors", "alphas": "etch_texel_alphas", "varying": "etch_varying",
-    "runs": "etch_point_runs", "row": "etch_polygon_row", "span": "etch_span",
-    "operation": ["etch_stencil_*"],
-    "painter": ["etch_triangle_*", "etch_multisample_*", "etch_shared_*"],
-    "triangle": ["core/draw/*sink*.c:*", "core/draw/retained*.c:*", "core/frame/*sink.c:*"],
-    "line": ["core/draw/*sink*.c:*", "core/frame/*sink.c:*"],
-    "point": ["core/draw/*sink*.c:*", "core/frame/*sink.c:*"],
-    "function": USER, "color": USER, "value": USER, "side": ["etch_implicit_side_*"],
-    "pause": USER, "flush": USER, "wait": USER, "sync": USER, "memory": USER, "start": USER,
-    "next": USER,
+USER = "user"
+POINTERS = {  # name: USER, a function type, or names of functions
+    "kernel": USER, "vertex": USER, "painter": USER, "triangle": USER, "line": USER, "point": USER,
+    "run": USER, "shade": USER, "kind": USER, "filter": USER, "wrap_u": USER, "wrap_v": USER,
+    "colors": USER, "alphas": USER, "function": USER, "color": USER, "value": USER, "varying": USER,
+    "operation": USER, "pause": USER, "flush": USER, "wait": USER, "sync": USER, "memory": USER,
+    "start": USER, "next": USER, "kern": USER, "take": USER, "enter": USER, "leave": USER,
+    "signal": USER, "cap": USER, "join": USER, "edge": USER, "inner": USER, "record": USER, "decode": USER, "runs": USER,
+    "copy": ["core/draw/rle_*.c:*"], "row": "etch_polygon_row", "span": "etch_span", "side": ["etch_implicit_side_*"],
 }
 RECURSION = {"draw_tile": 8}
 
 
-def functions_of_type(kind, frames, sources):
-    """Names that headers and files declare with a function type."""
-    found = re.findall(rf"\b{kind} (\w+)[;,\s]", sources)
-    if kind == "etch_kernel":
-        found += re.findall(r"ETCH_\w*KERNEL\w*\((?:static )?(\w+)", sources)
-    return [f for f in frames if f.split(":")[-1] in set(found)]
-
-
 class Graph:
     def __init__(self, folder):
-        self.frame, self.calls, self.source = {}, {}, {}
+        self.frame, self.calls = {}, {}
         for name in sorted(glob.glob(folder + "/**/*.ci", recursive=True)):
             with open(name, encoding="utf8") as f:
                 text = f.read()
@@ -58,26 +49,40 @@ class Graph:
                 self.frame[m[1]] = int(m[2])
             for m in re.finditer(r'edge: \{ sourcename: "([^"]+)" targetname: "([^"]+)" label: "([^"]+)"',
                                  text):
-                self.calls.setdefault(m[1], []).append((m[2], m[3]))
-        self.chosen = {}
-        self.texts = "\n".join(open(f, encoding="utf8").read() for f in
-                               glob.glob("core/**/*.[ch]", recursive=True))
+                self.calls.setdefault(m[1], set()).add((m[2], m[3]))
+        if not self.frame:
+            sys.exit(f"{folder}: no call graphs")
+        self.source = {f: open(f, encoding="utf8").read() for f in
+                       sorted(glob.glob("core/**/*.[ch]", recursive=True) +
+                              glob.glob("hal/**/*.[ch]", recursive=True))}
+        self.texts = "\n".join(self.source.values())
+        self.choose({})
 
-    def candidates(self, name):
-        what = self.chosen.get(name, POINTERS[name])
-        if isinstance(what, str):
-            return functions_of_type(what, self.frame, self.texts)
-        return [f for f in self.frame for p in what if fnmatch.fnmatch(f, p)]
+    def choose(self, chosen):
+        """What stands behind pointers from now on, where it is not POINTERS'."""
+        self.chosen, self.known = chosen, {}
+
+    def named(self, pattern):
+        found = [f for f in self.frame if fnmatch.fnmatch(f, pattern)]
+        return found or sys.exit(f"no function fits {pattern}")
+
+    def of_type(self, kind):
+        found = set(re.findall(rf"\b{kind} (\w+)[;,\s]", self.texts))
+        return [f for f in self.frame if f.split(":")[-1] in found]
 
     def pointer(self, place):
-        """The candidates of an indirect call at FILE:LINE:COLUMN."""
+        """The functions of an indirect call at FILE:LINE:COLUMN, or USER."""
         path, line, column = place.rsplit(":", 2)
-        with open(path, encoding="utf8") as f:
-            text = f.read().split("\n")[int(line) - 1][int(column) - 1:]
-        m = re.search(r"(?:->|\.)(\w+)\(", text) or re.match(r"\(?\*?(\w+)\)?\(", text)
+        text = self.source[path].split("\n")[int(line) - 1][int(column) - 1:]
+        m = re.match(r"\W*(\w+)\)?\(", text) or re.search(r"(?:->|\.)(\w+)\(", text)
         if not m or m[1] not in POINTERS:
             sys.exit(f"{place}: a call through an unknown pointer: {text}")
-        return self.candidates(m[1])
+        what = self.chosen.get(m[1], POINTERS[m[1]])
+        if what == USER:
+            return [USER]
+        if isinstance(what, str):
+            return self.of_type(what)
+        return [f for p in what for f in self.named(p)]
 
     def callees(self, name):
         found = set()
@@ -86,36 +91,84 @@ class Graph:
         return sorted(found)
 
     def depth(self, name, path=()):
-        """Stack below and with `name`, and the way down."""
+        """(alone, under, the way down): `under` is 0 where nothing of the caller's is called."""
+        if name == USER:
+            return 0, 1, ()
         if path.count(name) >= RECURSION.get(name.split(":")[-1], 1) or name not in self.frame:
-            return 0, ()
-        best = (0, ())
-        for callee in self.callees(name):
-            best = max(best, self.depth(callee, path + (name,)))
-        return self.frame[name] + best[0], (name,) + best[1]
+            return 0, 0, ()
+        if name in self.known:
+            return self.known[name]
+        frame, alone, under, way = self.frame[name], 0, 0, ()
+        for a, u, w in (self.depth(c, path + (name,)) for c in self.callees(name)):
+            under = max(under, u)
+            alone, way = max((alone, way), (a, w))
+        result = frame + alone, under and frame + under, (name,) + way
+        if not any(p in RECURSION for p in (f.split(":")[-1] for f in path + (name,))):
+            self.known[name] = result
+        return result
 
 
-def main():
-    graph = Graph(sys.argv[1])
+def whole_lines(graph, lines):
+    """Prints the functions with what a line puts behind their pointers. Returns failures, lines."""
     failed = 0
-    print("| function | stack, bytes | budget |\n|---|--:|--:|")
-    for line in open(sys.argv[2], encoding="utf8"):
-        words = line.split("#")[0].split()
-        rows = []
-        graph.chosen = {w.split("=")[0]: [w.split("=")[1]] for w in words if "=" in w}
-        for pattern in (w for w in words[1:] if "=" not in w):
-            names = [f for f in graph.frame if ":" not in f and fnmatch.fnmatch(f, pattern)]
-            if not names:
-                sys.exit(f"{sys.argv[2]}: no function {pattern}")
-            rows += [(graph.depth(f), f) for f in names]
-        for (size, way), name in sorted(rows, reverse=True):
-            over = size + LIBGCC > int(words[0])
+    print("| function | with | stack, bytes | budget |\n|---|---|--:|--:|")
+    for budget, words in lines:
+        chosen = dict(w.split("=") for w in words if "=" in w)
+        graph.choose({k: [v] for k, v in chosen.items()})
+        names = [f for w in words if "=" not in w for f in graph.named(w) if ":" not in f]
+        for size, way, name in sorted(((d[0] + LIBGCC, d[2], f) for f in names
+                                       for d in [graph.depth(f)]), reverse=True):
+            over = size > budget
             failed += over
-            print(f"| `{name}` | {size + LIBGCC} | {words[0]}{' **over**' if over else ''} |")
+            given = ", ".join(f"`{v.split('/')[-1]}`" for k, v in chosen.items() if k != "span")
+            print(f"| `{name}` | {given} | {size} | {budget}{' **over**' if over else ''} |")
             if over:
                 print("    " + " > ".join(f"{f.split(':')[-1]} {graph.frame[f]}" for f in way),
                       file=sys.stderr)
-    print(f"{'0 passed, 1' if failed else '1 passed, 0'} failed", file=sys.stderr)
+    graph.choose({})
+    return failed
+
+
+def alone(graph, lines, table):
+    """All public functions by themselves, to `table`. Returns failures."""
+    figures, budget, failed = {}, {}, 0
+    for f in graph.frame:
+        if ":" not in f:
+            a, u, way = graph.depth(f)
+            figures[f] = a + LIBGCC, max(u - 1, 0), way
+    for size, words in lines:
+        for f in (f for w in words for f in graph.named(w)):
+            budget[f] = size
+    for f, (a, u, way) in figures.items():
+        if max(a, u) > budget.get(f, 0):
+            failed += 1
+            print(f"{f}: {a} alone, {u} under the caller's, budget {budget.get(f, 0)}\n    " +
+                  " > ".join(f"{g.split(':')[-1]} {graph.frame[g]}" for g in way), file=sys.stderr)
+    with open(table, "w", encoding="utf8") as out:
+        step = [0, 64, 128, 192, 256, 384, 512, 768, 1024, 4096]
+        for low, high in zip(step, step[1:]):
+            rows = sorted((-a, f.removeprefix("etch_"), u) for f, (a, u, _) in figures.items()
+                          if low < a <= high)
+            if rows:
+                out.write(f"**{low + 1} .. {high}** ({len(rows)}): " +
+                          ", ".join(f"{f} {-a}" + (f" ({u})" if u else "") for a, f, u in rows) +
+                          ".\n\n")
+    return failed, len(figures)
+
+
+def main():
+    folder, budgets, table = sys.argv[1:]
+    graph, whole, single = Graph(folder), [], []
+    with open(budgets, encoding="utf8") as f:
+        for words in (line.split("#")[0].split() for line in f):
+            if words[1:2] == ["alone"]:
+                single.append((int(words[0]), words[2:]))
+            elif words:
+                whole.append((int(words[0]), words[1:]))
+    failed, count = alone(graph, single, table)
+    failed += whole_lines(graph, whole)
+    print(f"{count} public functions, worst-case stack on Cortex-M0+: all figures in {table}")
+    print(f"{count + len(whole) - failed} passed, {failed} failed")
     sys.exit(failed != 0)
 
 
