@@ -110,7 +110,7 @@ static void line(const struct etch_surface *s, struct etch_point a, struct etch_
                                                : etch_surface_index(s, (int16_t)w.u, (int16_t)w.v));
     const ptrdiff_t row = (ptrdiff_t)s->stride;
     const ptrdiff_t along = steep ? row : 1;
-    const ptrdiff_t aside = along + (steep ? w.sv : w.sv > 0 ? row : -row);
+    const ptrdiff_t aside = along + (steep ? (ptrdiff_t)w.sv : w.sv > 0 ? row : -row);
 
     /* Above 1/2 the roles change: it goes along where dv' = du - dv reaches 0 from e'. */
     if (2 * w.dv <= w.du)
