@@ -1,7 +1,8 @@
-/* ports/rp2040: Raspberry Pi Pico with an ILI9341 on SPI0. Strips go out by DMA while the next one is
- * drawn; an interrupt tells the end. Wiring: SCK GP18, MOSI GP19, CS GP17, D/C GP20, RESET GP21; text
- * on GP0, 115,200 baud. Source: Raspberry Pi, RP2040 data sheet. */
-#include "../../hal/transfer.h"
+/* ports/rp2040: Raspberry Pi Pico with an ILI9341 on SPI0. Strips go out by DMA while the next one
+ * is drawn, by one core or both (hal/workers.h); an interrupt of core 0 tells the end. Wiring: SCK
+ * GP18, MOSI GP19, CS GP17, D/C GP20, RESET GP21; text on GP0, 115,200 baud. Source: Raspberry Pi,
+ * RP2040 data sheet. */
+#include "../../hal/guarded.h"
 #include "../board.h"
 #include "../spi_lcd/panels.h"
 #include "rp2040.h"
@@ -44,7 +45,7 @@ enum {
     SPI_BUSY = 16,
     SPI_RECEIVED = 4,
     SPI_ROOM = 2,
-    LIMIT_US = 500000 /* for one transfer: a frame takes 20 ms */
+    LIMIT_MS = 500 /* for one piece: a frame takes 40 ms */
 };
 /* Enabled, bytes, the read address counts, paced by SPI0's transmitter, no other channel after. */
 #define DMA_START (UINT32_C(1) | UINT32_C(1) << 4 | UINT32_C(16) << 15)
@@ -52,16 +53,15 @@ enum {
 
 static int start_dma(void *context, uint8_t piece, const uint8_t *bytes, uint32_t n);
 
-static struct etch_transfer transfer = {.start = start_dma};
-static volatile uint8_t number; /* of the piece that runs */
-static volatile uint32_t began_us;
+static struct etch_guarded transfer = {
+    .transfer = {.start = start_dma}, .monitor = &rp2040_monitor, .limit_ms = LIMIT_MS};
+static uint8_t number; /* of the piece that runs */
 
-/* One piece. In the thread, or in the interrupt of the piece before. */
+/* One piece. In the thread, or in the interrupt of the piece before; inside the monitor. */
 static int start_dma(void *context, uint8_t piece, const uint8_t *bytes, uint32_t n)
 {
     (void)context;
     number = piece;
-    began_us = TIMER_US;
     DMA_READ = (uint32_t)(uintptr_t)bytes;
     DMA_WRITE = (uint32_t)(uintptr_t)&SPI_DR;
     DMA_COUNT = n;
@@ -75,13 +75,15 @@ void rp2040_dma_interrupt(void);
 void rp2040_dma_interrupt(void)
 {
     DMA_INTS0 = 1;
-    if ((DMA_CTRL_TRIG & DMA_BUSY) == 0)
-        (void)etch_transfer_done(&transfer, number, 0);
+    etch_monitor_enter(&rp2040_monitor);
+    if ((DMA_CTRL_TRIG & DMA_BUSY) == 0 && etch_transfer_done(&transfer.transfer, number, 0))
+        etch_monitor_signal(&rp2040_monitor);
+    etch_monitor_leave(&rp2040_monitor);
 }
 
-/* Behind the core's sixteen vectors: DMA's first interrupt is number 11. */
+/* Behind the core's sixteen vectors; of both cores. */
 __attribute__((section(".vectors.interrupts"), used)) static void (*const interrupts[32])(void) = {
-    [11] = rp2040_dma_interrupt};
+    [0] = rp2040_alarm_interrupt, [1] = rp2040_alarm_interrupt, [11] = rp2040_dma_interrupt};
 
 static void pin_set(uint8_t pin, bool high)
 {
@@ -130,20 +132,12 @@ static int data(const struct etch_bus *bus, struct etch_pieces *pieces)
 {
     (void)bus;
     pin_set(PIN_DATA, true);
-    return etch_transfer_start(&transfer, pieces);
-}
-
-/* Sleeps until an interrupt; the return from one counts as an event, so none is missed. */
-static int pause(void *context)
-{
-    (void)context;
-    __asm__ volatile("wfe" ::: "memory");
-    return TIMER_US - began_us > LIMIT_US ? ETCH_EIO : 0;
+    return etch_guarded_start(&transfer, pieces);
 }
 
 static int wait(const struct etch_bus *bus)
 {
-    int status = etch_transfer_wait(&transfer, pause, NULL);
+    int status = etch_guarded_wait(&transfer);
 
     (void)bus;
     if (status != 0 || (DMA_CTRL_TRIG & DMA_BUSY) != 0) {

@@ -1,6 +1,7 @@
 BOARDS += rp2040
 rp2040_CC := arm-none-eabi-gcc -mcpu=cortex-m0plus -mthumb
-rp2040_SOURCES = $(addprefix ports/rp2040/,boot2.S board.c clocks.c) ports/cortex_m/start.c \
+rp2040_SOURCES = $(addprefix ports/rp2040/,boot2.S board.c clocks.c cores.c) \
+    ports/cortex_m/start.c \
     $(FREESTANDING) $(SPI_LCD)
 rp2040_LINK := -nostdlib -Llinker -T rp2040.ld
 rp2040_STRIP := 5120

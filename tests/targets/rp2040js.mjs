@@ -1,10 +1,11 @@
 // tests/targets: rp2040js.mjs IMAGE.uf2 MODULES: puts an image into the flash of rp2040js (a package of
 // npm, in MODULES), starts it as the boot ROM would and runs it until its breakpoint. Writes its bytes
 // on SPI0 and its pins D/C, CS and RESET in the form that glass.c reads; what it says, and what it
-// cost, goes to standard error. A byte takes as long as on the wire at 31.25 MHz.
+// cost, goes to standard error. Both cores run, see rp2040_core1.mjs. A byte takes as long as on the wire at 31.25 MHz.
 import { readFileSync, writeSync } from "fs";
 import { createRequire } from "module";
 import { resolve } from "path";
+import { addCore1 } from "./rp2040_core1.mjs";
 
 const [, , image, modules] = process.argv;
 const { RP2040 } = createRequire(resolve(modules, "x"))("rp2040js");
@@ -75,6 +76,14 @@ mcu.spi[0].onTransmit = (value) => {
 };
 mcu.uart[0].onByte = (value) => writeSync(2, Buffer.from([value]));
 
+// What each core executes while a pin is high that says so.
+const core1 = addCore1(mcu), DRAWS = 22;
+let drawn;
+mcu.gpio[DRAWS].addListener(() => {
+    const now = [instructions, core1.instructions];
+    if (high(DRAWS)) drawn = now;
+    else if (drawn) drawn = now.map((n, i) => n - drawn[i]);
+});
 let stopped = false, instructions = 0, idle = 0;
 mcu.onBreak = () => (stopped = true);
 while (!stopped && instructions < LIMIT) {
@@ -86,6 +95,7 @@ while (!stopped && instructions < LIMIT) {
         cycles = mcu.core.executeInstruction();
         instructions++;
     }
+    core1.runUntil(mcu.core.cycles);
     mcu.clock.tick(cycles * 8);
     while (onTheWire.length && onTheWire[0] <= mcu.core.cycles) {
         onTheWire.shift();
@@ -94,4 +104,5 @@ while (!stopped && instructions < LIMIT) {
 }
 flush();
 console.error(`${instructions} instructions, ${idle} cycles asleep, ${bytes} bytes`);
+if (drawn) console.error(`while GP${DRAWS} was high: ${drawn.join(" ")} instructions`);
 process.exit(stopped ? 0 : 1);

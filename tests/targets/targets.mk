@@ -93,5 +93,5 @@ $(foreach b,$(BOARDS),$(eval $(call board,$(b))))
 CHECK_STEPS += test-targets
 .PHONY: test-targets
 test-targets: ## every board under emulation
-	$(call steps,targets,$(addprefix run-,$(BOARDS)) \
+	$(call steps,targets,$(addprefix run-,$(BOARDS)) $(TARGET_STEPS) \
 	    $(foreach b,$(BOARDS),$(if $($(b)_RUN),unit-$(b))))

@@ -1,4 +1,4 @@
-/* tests/workers: the torus of 50,000 triangles. See torus.h. */
+/* tests/workers: the torus. See torus.h. */
 #include "torus.h"
 
 #include "core/base/trig.h"
@@ -89,10 +89,16 @@ static uint16_t first_of(uint16_t part, uint16_t n)
     return (uint16_t)((uint32_t)n * part / TORUS_PARTS);
 }
 
-static void clear(const struct etch_surface *s)
+/* Clears the surface and makes a sink that draws on it. */
+static void open_sink(struct etch_raster_sink *raster, const struct torus *t,
+                      const struct etch_surface *s)
 {
-    etch_surface_clear(s, etch_rgb565(0, 12, 30));
+    const uint16_t night = etch_rgb565(0, 12, 30);
+
+    etch_surface_clear(s, t->swapped ? etch_rgb565_swap(night) : night);
     etch_depth_clear(s, 65535);
+    etch_raster_sink_init(raster, s, etch_triangle_gouraud_depth,
+                          t->swapped ? etch_kernel_gouraud_less_swapped : etch_kernel_gouraud_less);
 }
 
 static void draw_strip(const struct torus *t, const struct etch_surface *s)
@@ -100,8 +106,7 @@ static void draw_strip(const struct torus *t, const struct etch_surface *s)
     struct etch_assembly assembly = t->assembly;
     struct etch_raster_sink raster;
 
-    clear(s);
-    etch_raster_sink_init(&raster, s, etch_triangle_gouraud_depth, etch_kernel_gouraud_less);
+    open_sink(&raster, t, s);
     assembly.sink = &raster.sink;
     for (uint16_t part = 0; part < TORUS_PARTS; part++)
         etch_mesh_assemble_rows(&t->stage, &assembly, t->vertex,
@@ -133,8 +138,7 @@ void torus_draw_alone(struct torus *t, const struct etch_surface *s)
     struct etch_assembly assembly = t->assembly;
     struct etch_raster_sink raster;
 
-    clear(s);
-    etch_raster_sink_init(&raster, s, etch_triangle_gouraud_depth, etch_kernel_gouraud_less);
+    open_sink(&raster, t, s);
     assembly.sink = &raster.sink;
     (void)etch_mesh_draw(&t->stage, &assembly, t->vertex, TORUS_VERTICES);
 }

@@ -1,4 +1,4 @@
-/* tests/workers: a lit torus of 50,000 triangles and how several workers draw it. */
+/* tests/workers: a lit torus of 50,000 triangles, or fewer, and how several workers draw it. */
 #ifndef TESTS_WORKERS_TORUS_H
 #define TESTS_WORKERS_TORUS_H
 
@@ -6,9 +6,13 @@
 #include "core/draw/retained_rows.h"
 #include "hal/workers.h"
 
+/* Vertices round the ring and round the tube. */
+#ifndef TORUS_AROUND
+#define TORUS_AROUND 250
+#define TORUS_ALONG 100
+#endif
+
 enum {
-    TORUS_AROUND = 250,
-    TORUS_ALONG = 100,
     TORUS_VERTICES = TORUS_AROUND * TORUS_ALONG,
     TORUS_TRIANGLES = 2 * TORUS_VERTICES,
     TORUS_PARTS = 10 /* shares of vertices and of triangles */
@@ -28,6 +32,7 @@ struct torus {
     struct etch_lighting lighting;
     struct etch_mesh_stage stage;
     struct etch_assembly assembly; /* without a sink */
+    bool swapped;                  /* colours have their high byte first; set it */
 };
 
 /* Makes the mesh. */
