@@ -152,6 +152,7 @@
 #include "raster/rect.h"
 #include "raster/round_rect.h"
 #include "raster/smooth.h"
+#include "raster/smooth_shapes.h"
 #include "raster/stroke.h"
 #include "raster/triangle.h"
 #include "raster/triangulate.h"

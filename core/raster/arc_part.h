@@ -17,7 +17,7 @@ ETCH_INLINE bool etch_arc_part_init(struct etch_arc_part *p, int16_t cx, int16_t
 {
     if (sweep == 0 || !etch_ring_init(&p->ring, cx, cy, outer, inner, view))
         return false;
-    etch_sector_init(&p->sector, from, sweep);
+    etch_sector_init(&p->sector, from, sweep, 1);
     return true;
 }
 

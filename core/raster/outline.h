@@ -30,7 +30,7 @@ void etch_outline_ellipse(const struct etch_outline *o, struct etch_point_q8 cen
                           int32_t ry, bool hole);
 
 /* The part of a ring between the radii outer and inner (0: a pie) from the angle `from` on, `sweep` 65536ths
- * of a turn clockwise, 1 .. 65535; 0 and 65536 or more are the full ring. Up to twice the chords and two. */
+ * of a turn clockwise: 0 adds nothing, 65536 or more the full ring. Up to twice the chords and two. */
 void etch_outline_arc(const struct etch_outline *o, struct etch_point_q8 centre, int32_t outer,
                       int32_t inner, uint16_t from, uint32_t sweep);
 

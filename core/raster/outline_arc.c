@@ -31,9 +31,9 @@ void etch_outline_arc(const struct etch_outline *o, struct etch_point_q8 centre,
 
     if (inner < 0)
         inner = 0;
-    if (outer <= inner)
+    if (outer <= inner || sweep == 0)
         return;
-    if (sweep == 0 || sweep >= 65536) {
+    if (sweep >= 65536) {
         etch_outline_ellipse(o, centre, outer, outer, false);
         if (inner > 0)
             etch_outline_ellipse(o, centre, inner, inner, true);

@@ -6,15 +6,26 @@
  *      x < b u_x / u_y       and x == b u_x / u_y too if b > 0, where the ray is
  *
  * that is x < cut(b) with cut = floor + 1 below the centre and ceil at and above it; the opposite ray has the
- * rest. The least u_y > 0 is 102,943 2^-30, so |b u_x / u_y| < 10,431 2^16 < 2^30. A sector of up to half a
+ * rest. The least u_y > 0 is 102,943 2^-30, so |u_x / u_y| < 10,431. A sector of up to half a
  * turn is what the half turn of its first ray has and that of its last ray has not; a larger one is all but
  * the sector that is left. */
 #include "sector.h"
 #include "../base/trig.h"
 
-#define FAR (INT32_C(1) << 20) /* beyond every column, from every centre */
+#define FAR (INT32_C(1) << 28) /* beyond every column, from every centre */
 
-static void ray_init(struct etch_sector_ray *r, uint16_t angle)
+/* floor(dx b / dy) and the remainder. */
+static int64_t ray_at(const struct etch_sector_ray *r, int32_t b, int32_t *e)
+{
+    const int64_t n = etch_mul_s32(r->dx, b);
+    const struct etch_quotient q = etch_divide_u64((uint64_t)(n < 0 ? -n : n), (uint64_t)r->dy);
+    const int32_t rest = (int32_t)q.remainder;
+
+    *e = n < 0 && rest != 0 ? r->dy - rest : rest;
+    return n < 0 ? -(int64_t)q.quotient - (rest != 0) : (int64_t)q.quotient;
+}
+
+static void ray_init(struct etch_sector_ray *r, uint16_t angle, int32_t stride)
 {
     const uint32_t a = angle;
     const bool up = a == 0 || a > 32768;
@@ -23,30 +34,14 @@ static void ray_init(struct etch_sector_ray *r, uint16_t angle)
     r->dx = etch_cos_q30(down);
     r->dy = etch_sin_q30(down);
     r->clockwise_is_left = !up;
-    if (r->dy == 0)
-        return;
-    r->quotient = r->dx / r->dy;
-    r->remainder = r->dx % r->dy;
-    if (r->remainder < 0) {
-        r->remainder += r->dy;
-        r->quotient--;
-    }
+    if (r->dy != 0)
+        r->quotient = (int32_t)ray_at(r, stride, &r->remainder);
 }
 
 static void ray_place(struct etch_sector_ray *r, int32_t b)
 {
-    const int64_t n = etch_mul_s32(r->dx, b);
-
-    if (r->dy == 0)
-        return;
-    const struct etch_quotient q = etch_divide_u64((uint64_t)(n < 0 ? -n : n), (uint64_t)r->dy);
-
-    r->x = (int32_t)q.quotient;
-    r->e = (int32_t)q.remainder;
-    if (n < 0) {
-        r->x = -r->x - (r->e != 0);
-        r->e = r->e != 0 ? r->dy - r->e : 0;
-    }
+    if (r->dy != 0)
+        r->x = ray_at(r, b, &r->e);
 }
 
 static void ray_step(struct etch_sector_ray *r)
@@ -66,12 +61,14 @@ static int32_t ray_cut(const struct etch_sector_ray *r, int32_t b)
 {
     if (r->dy == 0)
         return b == 0 ? 0 : b > 0 ? -FAR : FAR;
-    return r->x + (b > 0 || r->e != 0);
+    const int64_t cut = r->x + (b > 0 || r->e != 0);
+
+    return cut < -FAR ? -FAR : cut > FAR ? FAR : (int32_t)cut;
 }
 
 static void place(struct etch_sector *s, int32_t b)
 {
-    if (b == s->b + 1) {
+    if (b == s->b + s->stride) {
         ray_step(&s->first);
         ray_step(&s->last);
     } else {
@@ -81,15 +78,16 @@ static void place(struct etch_sector *s, int32_t b)
     s->b = b;
 }
 
-void etch_sector_init(struct etch_sector *s, uint16_t from, uint32_t sweep)
+void etch_sector_init(struct etch_sector *s, uint16_t from, uint32_t sweep, int32_t stride)
 {
     const uint16_t to = (uint16_t)((from + (sweep & 65535)) & 65535);
 
     s->all = sweep >= 65536;
     s->inverted = sweep > 32768;
-    ray_init(&s->first, s->inverted ? to : from);
-    ray_init(&s->last, s->inverted ? from : to);
+    ray_init(&s->first, s->inverted ? to : from, stride);
+    ray_init(&s->last, s->inverted ? from : to, stride);
     s->b = -FAR;
+    s->stride = stride;
 }
 
 void etch_sector_add(struct etch_sector *s, struct etch_row *row, int32_t cx, int32_t b, int32_t x0,

@@ -12,8 +12,9 @@
 /* The line through the centre along a ray: the columns below `cut` are on one side of it. */
 struct etch_sector_ray {
     int32_t dx, dy;              /* along it, dy >= 0 */
-    int32_t x, e;                /* row `b`: floor and remainder of b dx / dy */
-    int32_t quotient, remainder; /* of dx / dy */
+    int64_t x;                   /* row `b`: floor of b dx / dy */
+    int32_t e;                   /* and remainder */
+    int32_t quotient, remainder; /* of stride dx / dy */
     bool clockwise_is_left;      /* what is clockwise of the ray has the smaller columns */
 };
 
@@ -21,10 +22,12 @@ struct etch_sector {
     struct etch_sector_ray first, last;
     bool all, inverted; /* everything; all but what is between the rays */
     int32_t b;          /* the row, from the centre, where the rays are */
+    int32_t stride;     /* to the next */
 };
 
-/* From the angle `from` on, `sweep` 65536ths of a turn, 1 or more; 65536 or more are all. */
-void etch_sector_init(struct etch_sector *s, uint16_t from, uint32_t sweep);
+/* From the angle `from` on, `sweep` 65536ths of a turn, 1 or more; 65536 or more are all. Rows and columns are in
+ * any unit, within -2^25 .. 2^25; rows are asked for `stride` = 1 .. 16 after another. */
+void etch_sector_init(struct etch_sector *s, uint16_t from, uint32_t sweep, int32_t stride);
 
 /* Adds to `row` what of x0 <= x < x1 is in the sector, b rows below its centre in column cx. By sums where b
  * is the last one's next; else with two 64-bit divisions. Adds two spans at most. */

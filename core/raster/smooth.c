@@ -7,7 +7,15 @@ void etch_smooth_init(struct etch_smooth *p, struct etch_smooth_edge *edge, uint
     p->edge = edge;
     p->room = room;
     p->count = 0;
+    p->line0 = INT32_MIN;
+    p->line1 = INT32_MAX;
     p->status = ETCH_OK;
+}
+
+void etch_smooth_window(struct etch_smooth *p, const struct etch_surface *surface)
+{
+    p->line0 = 16 * (int32_t)surface->clip.y0;
+    p->line1 = 16 * (int32_t)surface->clip.y1;
 }
 
 static bool is_in_range(int32_t v)
@@ -32,7 +40,8 @@ enum etch_status etch_smooth_add_edge(struct etch_smooth *p, struct etch_point_q
         return p->status;
     if (!is_in_range(a.x) || !is_in_range(a.y) || !is_in_range(b.x) || !is_in_range(b.y))
         return p->status = ETCH_EINVAL;
-    if (first_line(upper.y) == first_line(lower.y))
+    if (first_line(upper.y) == first_line(lower.y) || first_line(upper.y) >= p->line1 ||
+        first_line(lower.y) <= p->line0)
         return ETCH_OK;
     if (p->count == p->room)
         return p->status = ETCH_ENOMEM;

@@ -33,11 +33,16 @@ struct etch_smooth_edge {
 struct etch_smooth {
     struct etch_smooth_edge *edge;
     uint16_t room, count;
+    int32_t line0, line1;    /* edges that cross none of these lines are left out */
     enum etch_status status; /* the first failure: then nothing is drawn */
 };
 
 /* An empty shape over the caller's `room` edges, which stay the caller's. */
 void etch_smooth_init(struct etch_smooth *p, struct etch_smooth_edge *edge, uint16_t room);
+
+/* From here on edges beside the rows of surface->clip take no room: for a shape that is added anew for each strip,
+ * room for the edges that cross 16 rows will do. What is filled within these rows is the same. */
+void etch_smooth_window(struct etch_smooth *p, const struct etch_surface *surface);
 
 /* Adds an edge of closed contours; ends within -2^23 .. 2^23 or ETCH_EINVAL; ETCH_ENOMEM without
  * room. Edges that cross no line take none. */

@@ -1,33 +1,8 @@
-/* raster/smooth_walk.c: walks the 16 lines of each row. Called by smooth_nonzero.c and
- * smooth_evenodd.c. See smooth.h.
+/* raster/smooth_walk.c: walks the 16 lines of each row. Called by smooth_nonzero.c and smooth_evenodd.c. See
+ * smooth.h.
  *
- * On line k an edge lies at x = a.x + floor(dx t / dy) with t = 16 k + 8 - a.y, 0 <= t < dy: the product is
- * below 2^49. From line to line it steps by 16 dx / dy, |16 dx| <= 2^28. Each row begins anew, so that no
- * strip and no clip matters. */
+ * Each row begins anew, so that no strip and no clip matters. */
 #include "smooth_walk.h"
-
-/* Puts the edge on a line that it crosses. */
-static void place(struct etch_smooth_edge *g, int32_t line)
-{
-    const int32_t t = 16 * line + 8 - g->a.y;
-    const int64_t n = etch_mul_s32(g->dx, t);
-    const struct etch_quotient d = etch_divide_u64((uint64_t)(n < 0 ? -n : n), (uint64_t)g->dy);
-    const int32_t q = (int32_t)d.quotient, r = (int32_t)d.remainder;
-
-    g->x = n < 0 ? g->a.x - q - (r != 0) : g->a.x + q;
-    g->e = n < 0 && r != 0 ? g->dy - r : r;
-}
-
-static void step(struct etch_smooth_edge *g)
-{
-    const int32_t d = 16 * g->dx;
-    const int32_t q = d / g->dy - (d % g->dy < 0);
-
-    g->x += q;
-    g->e += d - q * g->dy;
-    if (g->e >= g->dy)
-        g->e -= g->dy, g->x++;
-}
 
 static void insert(struct etch_smooth_edge **list, struct etch_smooth_edge *g)
 {
@@ -45,7 +20,7 @@ static struct etch_smooth_edge *next_line(struct etch_smooth_edge *before, int32
     for (; before != NULL; before = next) {
         next = before->next;
         if (before->line1 > line) {
-            step(before);
+            etch_smooth_edge_step(before);
             insert(&list, before);
         }
     }
@@ -69,7 +44,7 @@ static void take_waiting(struct etch_smooth_edge **list, struct etch_smooth_edge
 }
 
 static void walk_row(struct etch_smooth *p, int16_t y, struct etch_smooth_row *row,
-                     etch_smooth_line *line)
+                     etch_smooth_rule *line)
 {
     const int32_t top = 16 * (int32_t)y;
     struct etch_smooth_edge *active = NULL, *waiting = NULL;
@@ -78,7 +53,7 @@ static void walk_row(struct etch_smooth *p, int16_t y, struct etch_smooth_row *r
         struct etch_smooth_edge *const g = &p->edge[i];
 
         if (g->line0 < top + 16 && g->line1 > top) {
-            place(g, g->line0 > top ? g->line0 : top);
+            etch_smooth_edge_place(g, g->line0 > top ? g->line0 : top);
             g->next = waiting;
             waiting = g;
         }
@@ -90,43 +65,17 @@ static void walk_row(struct etch_smooth *p, int16_t y, struct etch_smooth_row *r
     }
 }
 
-/* Sums the changes up, hands over what is covered and leaves the row zero. All that begins in a row ends in
- * it, at the clip's end at the latest, so the last sum is 0. */
-static void hand_over(const struct etch_surface *s, int16_t y, const struct etch_smooth_row *row,
-                      const struct etch_cover_paint *paint)
-{
-    const int32_t columns = row->width >> 8;
-    int32_t sum = 0, begin = row->from;
-
-    for (int32_t i = row->from; i <= row->to; i++) {
-        sum += row->change[i];
-        row->change[i] = (int16_t)sum;
-        if (sum == 0 || i == columns) {
-            if (begin < i)
-                paint->kernel(s, (int16_t)(s->clip.x0 + begin), y, (uint16_t)(i - begin),
-                              row->change + begin, paint);
-            begin = i + 1;
-        }
-    }
-    for (int32_t i = row->from; i <= row->to; i++)
-        row->change[i] = 0;
-}
-
 void etch_smooth_walk(const struct etch_surface *surface, struct etch_smooth *p,
-                      const struct etch_cover_paint *paint, int16_t *cover, etch_smooth_line *line)
+                      const struct etch_cover_paint *paint, int16_t *cover, etch_smooth_rule *line)
 {
     const struct etch_rect c = surface->clip;
-    const int32_t columns = (int32_t)c.x1 - c.x0;
-    struct etch_smooth_row row = {cover, c.x0 * INT32_C(256), columns * 256, 0, 0};
+    struct etch_smooth_row row;
 
     if (p->status != ETCH_OK || p->count == 0 || etch_rect_is_empty(c))
         return;
-    for (int32_t i = 0; i <= columns; i++)
-        cover[i] = 0;
+    etch_smooth_row_init(&row, surface, cover);
     for (int16_t y = c.y0; y < c.y1; y++) {
-        row.from = columns + 1;
-        row.to = -1;
         walk_row(p, y, &row, line);
-        hand_over(surface, y, &row, paint);
+        etch_smooth_row_end(&row, surface, y, paint);
     }
 }

@@ -12,11 +12,23 @@ struct etch_smooth_row {
     int32_t from, to; /* columns touched, inclusive */
 };
 
+/* A row without changes; `cover` as for etch_smooth_fill_nonzero. */
+void etch_smooth_row_init(struct etch_smooth_row *row, const struct etch_surface *s,
+                          int16_t *cover);
+
+/* Hands over what row y covers, and leaves the row without changes. */
+void etch_smooth_row_end(struct etch_smooth_row *row, const struct etch_surface *s, int16_t y,
+                         const struct etch_cover_paint *paint);
+
+/* Puts the edge on a line that it crosses; and on the next one, which it crosses too. */
+void etch_smooth_edge_place(struct etch_smooth_edge *g, int32_t line);
+void etch_smooth_edge_step(struct etch_smooth_edge *g);
+
 /* Adds one line's intervals: edges by rising x. */
-typedef void etch_smooth_line(struct etch_smooth_row *row, const struct etch_smooth_edge *edge);
+typedef void etch_smooth_rule(struct etch_smooth_row *row, const struct etch_smooth_edge *edge);
 
 void etch_smooth_walk(const struct etch_surface *surface, struct etch_smooth *p,
-                      const struct etch_cover_paint *paint, int16_t *cover, etch_smooth_line *line);
+                      const struct etch_cover_paint *paint, int16_t *cover, etch_smooth_rule *line);
 
 /* An interval begins (share = 1) or ends (-1) at x. Where one begins at f / 256 of a pixel, the pixel gains
  * 256 - f and all that follow it 256. On a line the intervals are apart, so their changes of a pixel sum to

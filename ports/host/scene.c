@@ -129,6 +129,7 @@ static const struct etch_scene_statement *find_statement(struct etch_word word)
         etch_scene_text_statements,     etch_scene_answer_statements,
         etch_scene_toolkit_statements,  etch_scene_fill_statements,
         etch_scene_brush_statements,    etch_scene_shader_statements,
+        etch_scene_soft_statements,
     };
 
     for (size_t i = 0; i < sizeof tables / sizeof tables[0]; i++) {

@@ -7,6 +7,7 @@
 #include "../../core/fragment/flat.h"
 #include "../../core/fragment/gradient.h"
 #include "../../core/fragment/pattern.h"
+#include "../../core/raster/triangle.h"
 #include "scene_steps.h"
 
 /* The statements brush, opacity and stipple as they stand. */
@@ -60,8 +61,22 @@ const struct etch_cover_paint *etch_scene_brush_cover(const struct etch_scene_ru
                                                       const uint8_t rgb[3], uint8_t opacity,
                                                       struct etch_scene_brushed *to);
 
+/* Counts covers on their way to a paint. */
+struct etch_scene_cover_counter {
+    struct etch_cover_paint paint;
+    struct etch_scene_run *run;
+    const struct etch_cover_paint *through;
+};
+struct etch_scene_cover_counter etch_scene_count_covers(struct etch_scene_run *run,
+                                                        const struct etch_cover_paint *through);
+
 /* The names of what such paints are made of, for --needs; NULL, with an error set, without memory. */
 const char *etch_scene_brush_needs(struct etch_scene_reader *reader, bool covers);
+
+/* X Y X Y .. until the colour, in 2^-frac px, at most `most`; their number, 0 with an error set if there are fewer
+ * than `least`. */
+uint16_t etch_scene_read_points(struct etch_scene_reader *reader, struct etch_point_q8 *v,
+                                uint16_t most, uint16_t least);
 
 /* A word of `digits` hexadecimal digits, at most 16. */
 bool etch_scene_read_hex(struct etch_scene_reader *reader, const char *name, int digits,

@@ -138,3 +138,20 @@ const struct etch_cover_paint *etch_scene_brush_cover(const struct etch_scene_ru
     }
     return paint;
 }
+
+static void count_cover(const struct etch_surface *surface, int16_t x, int16_t y, uint16_t n,
+                        const int16_t *cover, const struct etch_cover_paint *paint)
+{
+    const struct etch_scene_cover_counter *c = (const struct etch_scene_cover_counter *)paint;
+
+    c->run->stats->pixels += n;
+    c->through->kernel(surface, x, y, n, cover, c->through);
+}
+
+struct etch_scene_cover_counter etch_scene_count_covers(struct etch_scene_run *run,
+                                                        const struct etch_cover_paint *through)
+{
+    const struct etch_scene_cover_counter c = {{count_cover}, run, through};
+
+    return c;
+}

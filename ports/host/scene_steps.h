@@ -6,7 +6,8 @@
  *      scene_frame.c     scene strip format frac clear cleardepth clearstencil
  *      scene_shapes.c    point line rect fillrect circle disc triangle filltriangle
  *      scene_toolkit.c   smooth solid
- *      scene_fill.c      fill draw;  scene_brush.c  brush opacity stipple
+ *      scene_fill.c      fill draw;  scene_brush.c  brush opacity stipple;
+ *                        scene_soft.c  soft
  *      scene_state.c     state
  *      scene_texture.c   texture
  *      scene_triangles.c tri ctri
@@ -161,6 +162,7 @@ extern const struct etch_scene_statement etch_scene_shape_statements[];
 extern const struct etch_scene_statement etch_scene_toolkit_statements[];
 extern const struct etch_scene_statement etch_scene_fill_statements[];
 extern const struct etch_scene_statement etch_scene_brush_statements[];
+extern const struct etch_scene_statement etch_scene_soft_statements[];
 extern const struct etch_scene_statement etch_scene_state_statements[];
 extern const struct etch_scene_statement etch_scene_triangle_statements[];
 extern const struct etch_scene_statement etch_scene_view_statements[];

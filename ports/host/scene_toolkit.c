@@ -35,9 +35,8 @@ static bool read_point(struct etch_scene_reader *reader, struct etch_point_q8 *p
            etch_scene_read_position(reader, "y", &p->y);
 }
 
-/* X Y X Y .. until the colour; their number, 0 with an error set. */
-static uint16_t read_points(struct etch_scene_reader *reader, struct etch_point_q8 *v,
-                            uint16_t least)
+uint16_t etch_scene_read_points(struct etch_scene_reader *reader, struct etch_point_q8 *v,
+                                uint16_t most, uint16_t least)
 {
     struct etch_text ahead = reader->text;
     struct etch_word word;
@@ -47,7 +46,7 @@ static uint16_t read_points(struct etch_scene_reader *reader, struct etch_point_
     while (etch_text_more(&ahead) && etch_text_word(&ahead, "", &word)) {
         words++;
     }
-    for (; words >= 5 && n < POINTS; words -= 2, n++) {
+    for (; words >= 5 && n < most; words -= 2, n++) {
         if (!read_point(reader, &v[n])) {
             return 0;
         }
@@ -64,7 +63,7 @@ static uint16_t read_points(struct etch_scene_reader *reader, struct etch_point_
 static bool read_polygon(const struct shape *s)
 {
     struct etch_point_q8 v[POINTS];
-    const uint16_t n = read_points(s->reader, v, 3);
+    const uint16_t n = etch_scene_read_points(s->reader, v, POINTS, 3);
 
     for (uint16_t i = 0; i < n; i++) {
         s->outline->edge(s->outline->shape, v[i], v[i + 1 == n ? 0 : i + 1]);
@@ -145,7 +144,7 @@ static bool read_stroke(const struct shape *s)
     }
     const bool closed = etch_scene_take(s->reader, "closed");
 
-    n = read_points(s->reader, v, 2);
+    n = etch_scene_read_points(s->reader, v, POINTS, 2);
     etch_stroke_outline(s->outline, v, n, closed, &stroke);
     return n != 0;
 }
@@ -161,28 +160,12 @@ static bool read_dashes(const struct shape *s)
         !read_length(s->reader, "off", &dash[1]) || !read_length(s->reader, "phase", &phase)) {
         return false;
     }
-    n = read_points(s->reader, v, 2);
+    n = etch_scene_read_points(s->reader, v, POINTS, 2);
     etch_stroke_dashes(s->outline, v, n, &stroke, dash, 2, phase);
     return n != 0;
 }
 
 /* ---- drawing ----------------------------------------------------------------------------------- */
-
-/* Counts covers, then blends them. */
-struct counted {
-    struct etch_cover_paint paint;
-    struct etch_scene_run *run;
-    const struct etch_cover_paint *through;
-};
-
-static void count_cover(const struct etch_surface *surface, int16_t x, int16_t y, uint16_t n,
-                        const int16_t *cover, const struct etch_cover_paint *paint)
-{
-    const struct counted *c = (const struct counted *)paint;
-
-    c->run->stats->pixels += n;
-    c->through->kernel(surface, x, y, n, cover, c->through);
-}
 
 static void draw_smooth(struct etch_scene_run *run, const struct etch_scene_step *step)
 {
@@ -190,10 +173,10 @@ static void draw_smooth(struct etch_scene_run *run, const struct etch_scene_step
     struct etch_scene_brushed memory;
     const struct etch_cover_paint *paint = etch_scene_brush_cover(run, t->brush, t->rgb, t->opacity,
                                                                   &memory);
-    const struct counted counted = {{count_cover}, run, paint};
+    const struct etch_scene_cover_counter counter = etch_scene_count_covers(run, paint);
     struct etch_smooth smooth = t->smooth;
 
-    etch_smooth_fill_nonzero(&run->surface, &smooth, run->stats != NULL ? &counted.paint : paint,
+    etch_smooth_fill_nonzero(&run->surface, &smooth, run->stats != NULL ? &counter.paint : paint,
                              t->cover);
 }
 

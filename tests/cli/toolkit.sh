@@ -18,4 +18,5 @@ draws 'smooth in swapped pixels, the same' \
     'scene 3 2\nformat rgb565_swapped\nfrac 1\nsmooth 255 roundrect 1 0 5 3 0 255 0 0\n' \
     '008000f80080004000800040'
 draws 'opacity' 'scene 1 1\nsmooth 128 polygon 0 0 1 0 1 1 0 1 255 0 0\n' '0080'
-draws 'solid' 'scene 3 1\nsolid arc 1 0 2 0 0 0 255 0 0\n' '00f800f800f8'
+draws 'solid arc of no sweep' 'scene 3 1\nsolid arc 1 0 2 0 0 0 255 0 0\n' '000000000000'
+draws 'solid' 'scene 3 1\nsolid arc 1 0 2 0 0 65536 255 0 0\n' '00f800f800f8'
