@@ -8,6 +8,7 @@
  * Output, one line per address that was executed:  address count taken cycles
  *   taken   how often a conditional branch was taken, else 0
  *   cycles  what the Cortex-M0+ model below says they cost together
+ * With each=FILE also a line for every count, in order: its instructions.
  * Thumb-2 code (Cortex-M4) gets counts only; its cycles mean nothing.
  *
  * The model: Cortex-M0+ r0p1 technical reference manual, table of instruction timings, memory
@@ -103,16 +104,23 @@ struct block {
 static struct block *blocks, *last;
 static bool counting;
 static const char *out = "counts.txt";
+static FILE *each; /* a line a count: the instructions from bench_counted to bench_done */
+static uint64_t since;
 
 static void run_block(unsigned cpu, void *data)
 {
     struct block *b = data;
 
     (void)cpu;
-    if (b->marker != 0)
+    if (b->marker != 0) {
+        if (each != NULL && counting && b->marker < 0)
+            fprintf(each, "%llu\n", (unsigned long long)since);
         counting = b->marker > 0;
+        since = 0;
+    }
     if (counting) {
         b->count++;
+        since += b->length;
         if (last != NULL && b->insn[0].address != last->end)
             last->taken++;
     }
@@ -165,6 +173,8 @@ static void write_counts(qemu_plugin_id_t id, void *data)
 
     (void)id;
     (void)data;
+    if (each != NULL)
+        fclose(each);
     if (f == NULL) {
         perror(out);
         exit(1);
@@ -185,6 +195,8 @@ int qemu_plugin_install(qemu_plugin_id_t id, const qemu_info_t *info, int argc, 
     for (int i = 0; i < argc; i++)
         if (strncmp(argv[i], "out=", 4) == 0)
             out = strdup(argv[i] + 4);
+        else if (strncmp(argv[i], "each=", 5) == 0)
+            each = fopen(argv[i] + 5, "w");
     qemu_plugin_register_vcpu_tb_trans_cb(id, translate);
     qemu_plugin_register_atexit_cb(id, write_counts, NULL);
     return 0;

@@ -1,0 +1,60 @@
+/* tradeoff/modes.c: the list of modes, in the order of the table. See tradeoff.h. */
+#include "tradeoff.h"
+
+#define COLORS (NEAR | FAR | FLOOR | SLIVERS | MESH | RAMPS)
+#define DEPTHS (NEAR | FAR | FLOOR | SLIVERS | MESH | PLANES)
+
+#define DRAW(name) draw_##name, #name
+
+const struct tradeoff_mode tradeoff_modes[] = {
+    {"flat", "etch_kernel_flat", DRAW(flat), 2, 0, TRADEOFF_COLOR, COLORS},
+    {"precise", "etch_kernel_gouraud", DRAW(precise), 2, 0, TRADEOFF_COLOR, COLORS},
+    {"exact", "etch_kernel_gouraud_exact", DRAW(exact), 2, 0, TRADEOFF_COLOR, COLORS},
+    {"exact carried", "not shipped", DRAW(carried), 2, 0, TRADEOFF_COLOR, COLORS},
+    {"precise small", "etch_kernel_gouraud_small", DRAW(small), 2, 0, TRADEOFF_COLOR, COLORS},
+    {"fast", "not shipped", DRAW(fast), 2, 0, TRADEOFF_COLOR, COLORS},
+    {"packed", "not shipped", DRAW(packed), 2, 0, TRADEOFF_COLOR, COLORS},
+    {"barycentric", "etch_kernel_barycentric", DRAW(barycentric), 2, 0, TRADEOFF_COLOR, COLORS},
+    {"precise dithered", "etch_kernel_gouraud_dither", DRAW(dither), 2, 0, TRADEOFF_COLOR, COLORS},
+    {"precise by block", "etch_kernel_gouraud", DRAW(precise), 2, 0, TRADEOFF_MEAN, NEAR | RAMPS},
+    {"dithered by block", "etch_kernel_gouraud_dither", DRAW(dither), 2, 0, TRADEOFF_MEAN,
+     NEAR | RAMPS},
+    {"flat dithered by block", "etch_triangle_flat_dither", DRAW(flat_dither), 2, 0, TRADEOFF_MEAN,
+     NEAR},
+    {"flat by block", "etch_kernel_flat", DRAW(flat), 2, 0, TRADEOFF_MEAN, NEAR},
+    {"linear precise", "etch_kernel_flat_less", DRAW(depth_precise), 4, 0, TRADEOFF_DEPTH, DEPTHS},
+    {"linear exact", "etch_kernel_flat_exact_less", DRAW(depth_exact), 4, 0, TRADEOFF_DEPTH,
+     DEPTHS},
+    {"inverse", "etch_kernel_flat_inverse_less", DRAW(depth_inverse), 4, 0, TRADEOFF_CODE, DEPTHS},
+    {"depth buffer", "etch_kernel_flat_less", DRAW(buffer), 4, 0, TRADEOFF_VISIBLE,
+     NEAR | MESH | PLANES},
+    {"buffer exact", "etch_kernel_flat_exact_less", DRAW(depth_exact), 4, 0, TRADEOFF_VISIBLE,
+     NEAR | MESH | PLANES},
+    {"buffer inverse", "etch_kernel_flat_inverse_less", DRAW(depth_inverse), 4, 0, TRADEOFF_VISIBLE,
+     NEAR | MESH | PLANES},
+    {"ordering table", "etch_ordering_draw", DRAW(ordering), 2, 52, TRADEOFF_VISIBLE,
+     NEAR | MESH | PLANES},
+    {"painter", "etch_painter_draw", DRAW(painter), 2, 60, TRADEOFF_VISIBLE, NEAR | MESH | PLANES},
+    {"affine", "etch_kernel_texture", DRAW(affine), 2, 0, TRADEOFF_TEXEL, NEAR | FLOOR},
+    {"divide every 16", "etch_perspective", DRAW(divide_16), 2, 0, TRADEOFF_TEXEL, NEAR | FLOOR},
+    {"divide every 8", "etch_source_texture_blocks8", DRAW(divide_8), 2, 0, TRADEOFF_TEXEL,
+     NEAR | FLOOR},
+    {"divide every pixel", "etch_perspective_exact", DRAW(divide_1), 2, 0, TRADEOFF_TEXEL,
+     NEAR | FLOOR},
+    {"whole pixel", "etch_triangle_fill", DRAW(whole_pixel), 2, 0, TRADEOFF_VERTEX, NEAR | MESH},
+    {"1/256 px", "etch_triangle_flat", DRAW(subpixel), 2, 0, TRADEOFF_VERTEX, NEAR | MESH},
+    {"edges plain", "etch_triangle_flat", DRAW(edges_plain), 2, 0, TRADEOFF_COVERAGE,
+     NEAR | SLIVERS},
+    {"edges smooth", "etch_smooth_fill_nonzero", DRAW(edges_smooth), 2, 0, TRADEOFF_COVERAGE,
+     NEAR | SLIVERS},
+    {"multisample 4x", "etch_multisample_flat", DRAW(multisample), 10, 0, TRADEOFF_COVERAGE,
+     NEAR | SLIVERS},
+    {"shared samples", "etch_shared_flat", DRAW(shared), 6, 0, TRADEOFF_COVERAGE, NEAR | SLIVERS},
+    {"supersample 2x2", "etch_supersample_resolve_2", DRAW(supersample_2), 10, 0, TRADEOFF_COVERAGE,
+     NEAR | SLIVERS},
+    {"supersample 3x3", "etch_supersample_resolve_3", DRAW(supersample_3), 20, 0, TRADEOFF_COVERAGE,
+     NEAR | SLIVERS},
+    {"supersample 4x4", "etch_supersample_resolve_4", DRAW(supersample_4), 34, 0, TRADEOFF_COVERAGE,
+     NEAR | SLIVERS},
+};
+const uint8_t tradeoff_mode_count = sizeof tradeoff_modes / sizeof tradeoff_modes[0];
