@@ -44,7 +44,8 @@ struct etch_bus {
     int (*begin)(const struct etch_bus *bus);
 
     /* Deselects the panel and gives the bus up. Called once for every begin that succeeded, never
-     * while a transfer runs. */
+     * while a transfer runs. Where several workers draw a frame (workers.h), perhaps by another
+     * thread than begin: then the lock is an etch_turn (guarded.h) or a semaphore. */
     void (*end)(const struct etch_bus *bus);
 
     /* Sends n command bytes, 1 .. 16, with D/C low, and returns when the last bit is on the wire:

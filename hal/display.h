@@ -57,7 +57,8 @@ struct etch_display {
      * own), which reaches the caller of the frame loop unchanged. A flush that fails has
      * started no transfer, or has stopped it before it returns: the pixels are the caller's.
      * Called from the thread that draws, never from an interrupt. What the port's own
-     * interrupt does with the rest of the transfer is its affair. */
+     * interrupt does with the rest of the transfer is its affair. Several workers (workers.h) call
+     * flush, wait and sync one at a time; who waits need not be who flushed. */
     int (*flush)(const struct etch_display *display, struct etch_rect area, const uint16_t *pixels,
                  uint16_t stride);
 

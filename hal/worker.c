@@ -5,9 +5,13 @@
 int etch_worker_init(struct etch_worker *w, struct etch_workers *ws,
                      struct etch_frame_memory memory)
 {
-    const struct etch_display *const d = ws->display;
+    const struct etch_display *d;
 
-    ETCH_ASSERT(w != NULL);
+    ETCH_ASSERT(w != NULL && ws != NULL);
+    ETCH_ASSERT(
+        (((uintptr_t)memory.pixels[0] | (uintptr_t)memory.pixels[1] | (uintptr_t)memory.depth) &
+         1) == 0);
+    d = ws->display;
     *w = (struct etch_worker){.workers = ws, .memory = memory, .frame = ws->frame};
     if (d->memory != NULL) {
         return ETCH_OK;

@@ -5,9 +5,11 @@
 int etch_workers_init(struct etch_workers *ws, const struct etch_display *display,
                       const struct etch_monitor *monitor, int16_t rows)
 {
-    const uint8_t align = display->align_y > 1 ? display->align_y : 1;
+    uint8_t align;
 
-    ETCH_ASSERT(ws != NULL && display->flush != NULL && display->wait != NULL && monitor != NULL);
+    ETCH_ASSERT(ws != NULL && display != NULL && display->flush != NULL && display->wait != NULL &&
+                monitor != NULL);
+    align = display->align_y > 1 ? display->align_y : 1;
     *ws = (struct etch_workers){.display = display, .monitor = monitor};
     ws->rows = rows < display->height ? (int16_t)(rows / align * align) : display->height;
     return display->width < 1 || ws->rows < 1 ? ETCH_EINVAL : ETCH_OK;
@@ -18,9 +20,10 @@ void etch_workers_begin_areas(struct etch_workers *ws, const struct etch_rect *a
 {
     const struct etch_display *const d = ws->display;
     uint16_t stride = (uint16_t)d->width;
-    uint16_t *const direct = d->memory != NULL ? d->memory(d, &stride) : NULL;
+    uint16_t *direct;
 
     ETCH_ASSERT(!ws->open && (areas != NULL || count == 0));
+    direct = d->memory != NULL ? d->memory(d, &stride) : NULL;
     etch_monitor_enter(ws->monitor);
     etch_strips_begin(&ws->strips, areas, count, ws->rows);
     ws->frame = (uint16_t)((ws->frame + UINT32_C(1)) & 0xFFFF);
