@@ -13,8 +13,9 @@ $(THREADS): $(THREADS_OBJ) $(SIMLIB) $(LIB)
 threads: $(THREADS) ## tasks and workers on POSIX threads draw what one thread draws
 	$(Q)sh tests/threads/example.sh $(BUILD) "$(CC)" "$(EXTRA)"
 	$(Q)$(THREADS) $(THREADS_SCENES)
-tsan: ## the same under ThreadSanitizer
-	+$(Q)TSAN_OPTIONS=halt_on_error=1 $(MAKE1) threads BUILD=$(BUILD)/tsan OPT="-O1 -g" \
+tsan: ## the same under ThreadSanitizer, which wants addresses that are not too random
+	+$(Q)setarch -R true 2>/dev/null && fixed="setarch -R"; \
+	    TSAN_OPTIONS=halt_on_error=1 $$fixed $(MAKE1) threads BUILD=$(BUILD)/tsan OPT="-O1 -g" \
 	    EXTRA="$(EXTRA) -fsanitize=thread"
 
 CHECK_STEPS += tsan
