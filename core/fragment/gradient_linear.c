@@ -5,11 +5,6 @@
 #include "../base/fill.h"
 #include "gradient.h"
 
-static int32_t floor_divide(int32_t n, int32_t d)
-{
-    return n / d - (n % d < 0);
-}
-
 /* i and e of s, by long division: s < d < 2^31. */
 static uint32_t divide(uint32_t s, uint32_t d, uint8_t bits, uint32_t *rest)
 {
@@ -33,9 +28,11 @@ static uint16_t *inside(const struct etch_gradient_linear *g, uint32_t s, uint16
 {
     const uint16_t *const ramp = g->ramp->color;
     const uint32_t d = g->square, most = UINT32_C(1) << g->ramp->bits;
-    const int32_t step = g->dx * (int32_t)most; /* below 2^24 */
-    const int32_t q = floor_divide(step, (int32_t)d);
-    const uint32_t r = (uint32_t)(step - q * (int32_t)d);
+    const bool back = g->dx < 0;
+    const uint32_t step = (uint32_t)(back ? -g->dx : g->dx) * most; /* below 2^24 */
+    const uint32_t whole = step / d, rest = step - whole * d;
+    const int32_t q = back ? -(int32_t)whole - (rest != 0) : (int32_t)whole; /* floor */
+    const uint32_t r = back && rest != 0 ? d - rest : rest;
     uint32_t e;
     int32_t i = (int32_t)divide(s, d, g->ramp->bits, &e);
 

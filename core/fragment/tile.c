@@ -2,11 +2,11 @@
 #include "pattern.h"
 
 /* v modulo n, 0 .. n - 1. */
-static uint16_t place(int32_t v, int32_t n)
+static uint16_t place(int32_t v, uint32_t n)
 {
-    const int32_t rest = v % n;
+    const uint32_t rest = (uint32_t)(v < 0 ? -v : v) % n;
 
-    return (uint16_t)(rest < 0 ? rest + n : rest);
+    return (uint16_t)(v < 0 && rest != 0 ? n - rest : rest);
 }
 
 static void colors(const struct etch_brush *brush, int16_t x, int16_t y, uint16_t n,

@@ -44,6 +44,16 @@ void etch_run_band_add(struct etch_run_band *band, int16_t y, int32_t x0, int32_
     band->row[band->count++].x1 = (int16_t)x1;
 }
 
+/* ETCH_RUN_BLOCK / count, once a band: a division would cost more flash than this file. */
+static uint8_t rows_of(uint8_t count)
+{
+    uint8_t rows = 0;
+
+    for (uint8_t left = ETCH_RUN_BLOCK; left >= count; left = (uint8_t)(left - count))
+        rows++;
+    return rows;
+}
+
 /* A band takes a row that needs no more lanes than it has, and at least half of them. */
 void etch_run_band_row(struct etch_run_band *band, int16_t y)
 {
@@ -58,7 +68,7 @@ void etch_run_band_row(struct etch_run_band *band, int16_t y)
     if (band->rows == 0) {
         band->y = y;
         band->lanes = count;
-        band->most = (uint8_t)(ETCH_RUN_BLOCK / count);
+        band->most = rows_of(count);
     }
     run = band->run + band->rows++;
     for (uint8_t i = 0; i < band->lanes; i++, run += band->most) {

@@ -18,11 +18,12 @@ void etch_smooth_edge_place(struct etch_smooth_edge *g, int32_t line)
 
 void etch_smooth_edge_step(struct etch_smooth_edge *g)
 {
-    const int32_t d = 16 * g->dx;
-    const int32_t q = d / g->dy - (d % g->dy < 0);
+    const uint32_t d = 16 * (uint32_t)(g->dx < 0 ? -g->dx : g->dx), whole = d / (uint32_t)g->dy;
+    const int32_t rest = (int32_t)(d - whole * (uint32_t)g->dy);
+    const bool up = g->dx < 0 && rest != 0;
 
-    g->x += q;
-    g->e += d - q * g->dy;
+    g->x += (g->dx < 0 ? -(int32_t)whole : (int32_t)whole) - up;
+    g->e += up ? g->dy - rest : rest;
     if (g->e >= g->dy)
         g->e -= g->dy, g->x++;
 }
