@@ -127,6 +127,7 @@ static const struct etch_scene_statement *find_statement(struct etch_word word)
         etch_scene_implicit_statements, etch_scene_sorted_statements,
         etch_scene_light_statements,    etch_scene_elements_statements,
         etch_scene_text_statements,     etch_scene_answer_statements,
+        etch_scene_image_statements,    etch_scene_images_statements,
         etch_scene_toolkit_statements,  etch_scene_fill_statements,
         etch_scene_brush_statements,    etch_scene_shader_statements,
         etch_scene_soft_statements,

@@ -17,6 +17,8 @@
  *      scene_elements.c  list vertex index endlist primitive
  *      scene_answers.c   select feedback
  *      scene_text.c      font text textbox
+ *      scene_image.c     image
+ *      scene_images.c    blit stretch nine spin cursor xorrect
  *      scene_lines.c     cline wideline cpoint (drawn by scene_line_paint.c)
  *      scene_lines_2d.c  ddaline halfspace gradient
  *      scene_lines_clip.c  clipline clippolygon cvline cvtri
@@ -39,6 +41,7 @@
 
 struct elements;
 struct etch_font;
+struct etch_scene_image;
 struct etch_scene_step;
 struct etch_scene_pass;
 struct etch_scene_brush;
@@ -131,6 +134,7 @@ struct etch_scene_reader {
     struct etch_scene_staged *staged;   /* the latest pipeline of stages, or NULL */
     const struct etch_phong *phong;     /* of the mesh in hand, else NULL */
     const struct etch_font *font;       /* the latest, or NULL; of text */
+    const struct etch_scene_image *image; /* the latest, or NULL; of blit and its like */
     struct elements *elements;          /* the list between list and endlist, else NULL */
 
     const struct etch_scene_brush *brush; /* the latest, or NULL; of fill, draw, smooth and solid */
@@ -170,6 +174,8 @@ extern const struct etch_scene_statement etch_scene_light_statements[];
 extern const struct etch_scene_statement etch_scene_elements_statements[];
 extern const struct etch_scene_statement etch_scene_answer_statements[];
 extern const struct etch_scene_statement etch_scene_text_statements[];
+extern const struct etch_scene_statement etch_scene_image_statements[];
+extern const struct etch_scene_statement etch_scene_images_statements[];
 extern const struct etch_scene_statement etch_scene_mesh_statements[];
 extern const struct etch_scene_statement etch_scene_polygon_statements[];
 extern const struct etch_scene_statement etch_scene_path_statements[];
