@@ -26,6 +26,8 @@ static int phase_done[2]; /* parts that are done */
 static int number;        /* of the frame */
 static int16_t lowest;    /* last row that was flushed */
 static int disorder;      /* flushes not from top to bottom */
+static int syncs;         /* calls of sync in this frame, */
+static int fail_sync;     /* and what they return */
 static uint32_t seed;
 
 /* ---- a monitor whose wait runs the others ---------------------------------------------------- */
@@ -88,9 +90,20 @@ static int flush_in_order(const struct etch_display *d, struct etch_rect area,
                           const uint16_t *pixels, uint16_t stride)
 {
     CHECK_EQ(inside, 0); /* displays are called outside */
+    CHECK(d->align_y < 2 ||
+          (area.y0 % d->align_y == 0 && (area.y1 % d->align_y == 0 || area.y1 == d->height)));
+    CHECK(d->sync == NULL || syncs == 1);
     disorder += area.y0 < lowest;
     lowest = area.y0;
     return flush(d, area, pixels, stride);
+}
+
+static int count_sync(const struct etch_display *d)
+{
+    (void)d;
+    CHECK_EQ(inside, 0);
+    syncs++;
+    return fail_sync;
 }
 
 /* One call of worker i, and what it draws before. */
@@ -128,7 +141,7 @@ static int draw_by_all(const struct etch_rect *areas, uint16_t areas_count)
     number++;
     phase_done[0] = phase_done[1] = 0;
     lowest = 0;
-    disorder = 0;
+    disorder = syncs = 0;
     if (areas != NULL)
         etch_workers_begin_areas(&workers, areas, areas_count);
     else
@@ -150,18 +163,22 @@ static int draw_by_all(const struct etch_rect *areas, uint16_t areas_count)
     return etch_workers_end(&workers);
 }
 
-/* Workers with memory for 1 .. 5 rows, one or two buffers, some with a depth plane. */
+/* Workers with memory for 2 .. 5 rows, one or two buffers, some with a depth plane. */
 static void open_workers(bool direct, bool in_order, int rows)
 {
     open_panel((int16_t)test_range(&seed, 1, MAX_WIDTH), (int16_t)test_range(&seed, 1, MAX_HEIGHT),
                direct);
     display.flush = flush_in_order;
-    display.in_order = in_order;
+    if (in_order && test_range(&seed, 0, 1) != 0)
+        display.sync = count_sync; /* wants the same */
+    else
+        display.in_order = in_order;
+    display.align_y = (uint8_t)test_range(&seed, 0, rows < 2 ? rows : 2);
     CHECK_EQ(etch_workers_init(&workers, &display, &monitor, (int16_t)rows), ETCH_OK);
     count = test_range(&seed, 1, WORKERS);
     for (int i = 0; i < count; i++) {
         struct etch_frame_memory memory = {.pixels = {planes[i][0], planes[i][1]},
-                                           .size = (uint32_t)test_range(&seed, 1, 5) * MAX_WIDTH};
+                                           .size = (uint32_t)test_range(&seed, 2, 5) * MAX_WIDTH};
 
         if (test_range(&seed, 0, 1) != 0)
             memory.pixels[1] = NULL;
@@ -185,6 +202,7 @@ static void any_order_of_workers(void)
             CHECK_EQ(draw_by_all(NULL, 0), 0);
             check_glass(number, 1);
             CHECK(!in_order || disorder == 0);
+            CHECK_EQ(syncs, display.sync != NULL);
         }
     }
     CHECK(waits > 0);
@@ -199,6 +217,7 @@ static void areas_by_several(void)
         int differ = 0, before;
 
         open_workers(false, i % 2 != 0, test_range(&seed, 1, 9));
+        display.align_y = 0; /* else they grow */
         CHECK_EQ(draw_by_all(NULL, 0), 0);
         before = number;
         for (int k = 0; k < 2; k++) {
@@ -246,6 +265,21 @@ static void an_error_is_told_once(void)
         panel.fail_flush = panel.fail_wait = 0;
         for (int k = 0; k < MAX_SIZE; k++)
             panel.writes[k] = 0;
+        CHECK_EQ(draw_by_all(NULL, 0), 0);
+        check_glass(number, 1);
+    }
+}
+
+static void a_sync_that_fails(void)
+{
+    seed = 6;
+    for (int i = 0; i < 40; i++) {
+        open_workers(i % 2 != 0, true, 2);
+        display.sync = count_sync;
+        fail_sync = -79;
+        CHECK_EQ(draw_by_all(NULL, 0), -79);
+        CHECK_EQ(panel.flushes, 0);
+        fail_sync = 0;
         CHECK_EQ(draw_by_all(NULL, 0), 0);
         check_glass(number, 1);
     }
@@ -339,6 +373,7 @@ void suite_workers(void)
     RUN(any_order_of_workers);
     RUN(areas_by_several);
     RUN(an_error_is_told_once);
+    RUN(a_sync_that_fails);
     RUN(memory_that_fails);
     RUN(arguments);
     RUN(late_workers);
