@@ -84,7 +84,7 @@ ETCH_INLINE void gouraud_rows(const struct etch_surface *s, int16_t y0, const st
         r = etch_wrap_add(r, etch_wrap_mul(right, dr));
         g = etch_wrap_add(g, etch_wrap_mul(right, dg));
         b = etch_wrap_add(b, etch_wrap_mul(right, db));
-        if ((x0 ^ x1) << 31 != 0) { /* an odd number; a mask would make gcc load both again */
+        if (etch_wrap_mul(x0 ^ x1, UINT32_C(1) << 31) != 0) { /* for `& 1` gcc loads both again */
             *pixel++ = pack(r, g, b);
             r = etch_wrap_add(r, dr), g = etch_wrap_add(g, dg), b = etch_wrap_add(b, db);
         }

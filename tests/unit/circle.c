@@ -1,6 +1,6 @@
 /* tests/unit: circles and discs against their definition. */
 #include "core/draw/shapes.h"
-#include "core/raster/circle.h"
+#include "core/raster/circle_small.h"
 #include "tests/harness/canvas.h"
 #include "tests/oracle/circle.h"
 
@@ -26,6 +26,11 @@ static void draw_outline(struct circle c)
     etch_circle_draw(&canvas.surface, c.x, c.y, c.r, TEST_INK);
 }
 
+static void draw_outline_small(struct circle c)
+{
+    etch_circle_draw_small(&canvas.surface, c.x, c.y, c.r, TEST_INK);
+}
+
 /* The disc through its runs, whose contract is checked. */
 static void draw_disc_runs(struct circle c)
 {
@@ -49,8 +54,11 @@ static const struct {
     drawer *draw;
     coverage *covers;
 } kinds[] = {{draw_outline, oracle_circle_covers},
+             {draw_outline_small, oracle_circle_covers},
              {draw_disc_runs, oracle_disc_covers},
              {draw_disc, oracle_disc_covers}};
+
+#define KINDS (int)(sizeof kinds / sizeof *kinds)
 
 /* Draws on the wiped canvas and compares its clip. */
 static void try_kind(int kind, struct circle c)
@@ -99,7 +107,7 @@ static void every_radius_to_500(void)
                 int kind;
 
                 test_canvas_open(&canvas, window);
-                for (kind = 0; kind < 3; kind++) {
+                for (kind = 0; kind < KINDS; kind++) {
                     test_canvas_wipe(&canvas);
                     try_kind(kind, c);
                 }
@@ -139,7 +147,7 @@ static void clipped_circles(void)
         test_canvas_open(&canvas, w);
         clip.x0 = (int16_t)(clip.x0 + test_range(&seed, 0, 12));
         clip.y1 = (int16_t)(clip.y1 - test_range(&seed, 0, 12));
-        for (kind = 0; kind < 3; kind++) {
+        for (kind = 0; kind < KINDS; kind++) {
             test_canvas_clip(&canvas, clip);
             try_kind(kind, c);
         }
@@ -158,7 +166,7 @@ static void circles_at_the_ends(void)
         const struct circle c = {ends[i % 5], ends[i / 5 % 5], radius[i / 25]};
 
         test_canvas_open(&canvas, origin);
-        for (kind = 0; kind < 3; kind++) {
+        for (kind = 0; kind < KINDS; kind++) {
             test_canvas_wipe(&canvas);
             try_kind(kind, c);
         }
