@@ -10,9 +10,13 @@ rp2040_FRAME := 320 240
 rp2040_SHOW = sh tests/targets/rp2040js.sh ili9341 1 byte=1 data.level=2:1 select.level=2:2 \
     reset.level=2:4
 
-# A file to drop on a real Pico.
+# Files to drop on a real Pico: scenes, and what both cores draw (cores.mk).
 $(BUILD)/rp2040-%.uf2: $(BUILD)/targets/rp2040/%.elf
 	$(Q)arm-none-eabi-objcopy -O binary $< $@.bin
 	$(Q)python3 ports/rp2040/uf2.py $@.bin $@
+$(BUILD)/rp2040-cores.uf2: $(BUILD)/targets/rp2040-cores/2.elf
+	$(Q)arm-none-eabi-objcopy -O binary $< $@.bin
+	$(Q)python3 ports/rp2040/uf2.py $@.bin $@
 .PHONY: uf2
-uf2: $(BUILD)/rp2040-0.uf2 $(BUILD)/rp2040-1.uf2 $(BUILD)/rp2040-2.uf2 ## images for a Raspberry Pi Pico
+uf2: $(BUILD)/targets/core.list ## images for a Raspberry Pi Pico
+	+$(Q)$(MAKE1) $(patsubst %,$(BUILD)/rp2040-%.uf2,0 1 2 cores) USED="$$(cat $<)"
