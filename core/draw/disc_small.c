@@ -1,4 +1,4 @@
-/* draw/circle_small.c: circles and discs in little flash. Called by applications. See shapes_small.h.
+/* draw/disc_small.c: circles and discs in little flash. Called by applications. See shapes_small.h.
  *
  * On the row j from the centre the outline reaches the half width w, the largest with
  *
@@ -45,8 +45,8 @@ void etch_circle_fill_small(const struct etch_surface *s, int16_t cx, int16_t cy
     rows(s, cx, cy, r, color, true);
 }
 
-void etch_circle_draw_small(const struct etch_surface *s, int16_t cx, int16_t cy, int16_t r,
-                            uint16_t color)
+void etch_circle_outline_small(const struct etch_surface *s, int16_t cx, int16_t cy, int16_t r,
+                               uint16_t color)
 {
     rows(s, cx, cy, r, color, false);
 }
