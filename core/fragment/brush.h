@@ -42,7 +42,7 @@ struct etch_brush_paint {
 etch_kernel etch_kernel_brush;
 
 /* A channel becomes (s a + d (255 - a)) / 255, rounded to nearest (there are no ties), a the opacity: with
- * 255 the brush's, with 0 as it was. 35 instructions a pixel on ARMv6-M beside the brush's. */
+ * 255 the brush's, with 0 as it was. */
 etch_kernel etch_kernel_brush_blend;
 etch_kernel etch_kernel_brush_blend_swapped;
 

@@ -50,7 +50,7 @@ struct etch_gradient_linear {
 
 /* A pixel (x, y) takes entry floor(2^bits s / d), held to the ramp, with s = (x - x0) dx + (y - y0) dy and
  * d = dx^2 + dy^2: exactly. ETCH_EINVAL if the ends are one pixel or more than 46,340 apart. A row takes a
- * division of `bits` steps and 9 instructions a pixel on ARMv6-M; 0.6 where dx is 0. */
+ * division of `bits` steps and one of 32 bits, a pixel two sums; where dx is 0 a row is filled in one colour. */
 enum etch_status etch_gradient_linear_init(struct etch_gradient_linear *g,
                                            const struct etch_ramp *ramp, int16_t x0, int16_t y0,
                                            int16_t x1, int16_t y1);

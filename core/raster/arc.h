@@ -11,8 +11,8 @@
  * none out either.
  *
  * Outlines are the pixels of which one of the four neighbours is outside. Every int16_t is legal. Cost: as
- * ellipse.h for each radius, two 64-bit divisions by shift and subtract a call for the rays, and 40 instructions
- * a row on ARMv6-M. Up to three runs a row, by bands (base/paint.h).
+ * ellipse.h for each radius, and for the rays four 64-bit divisions by shift and subtract a call and two sums a
+ * row. Up to three runs a row, by bands (base/paint.h).
  */
 #ifndef ETCH_RASTER_ARC_H
 #define ETCH_RASTER_ARC_H

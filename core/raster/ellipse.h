@@ -7,7 +7,8 @@
  * thin it is, and with rx == ry the circle. Every int16_t centre and radius; below 0 draws nothing.
  *
  * Each row is an interval, found once at the top of the clip and then moved by sums within the clip's columns:
- * what is not seen costs nothing. 15 steps of 64-bit products a call, 60 instructions a row on ARMv6-M.
+ * what is not seen costs nothing. 15 steps of 64-bit products a call; a row takes
+ * four 64-bit sums, and four for each column that its edge moves by.
  * Source: the midpoint test of J. R. Van Aken, "An efficient ellipse-drawing algorithm", 1984, in both
  * directions at every pixel.
  */
