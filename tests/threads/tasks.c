@@ -73,7 +73,7 @@ static void two_panels_on_one_wire(void)
 /* A transfer that never ends is given up and told once; the next frame is whole. */
 static void a_stalled_transfer(void)
 {
-    CHECK(wire_open(&wire[0], 200));
+    CHECK(wire_open(&wire[0], 600));
     station_open(&station[0], &wire[0]);
     for (int at = 1; at <= 40; at += 13) {
         wire[0].stalls = at; /* no thread touches it: nothing is sent */

@@ -161,7 +161,7 @@ static void workers_on_one_memory(void)
 /* A transfer that never ends, at any strip: told once, and the next frame is whole. */
 static void a_transfer_that_stalls(void)
 {
-    CHECK(wire_open(&wire, 200));
+    CHECK(wire_open(&wire, 600));
     station_open(&station, &wire);
     for (int at = 3; at <= 60; at += 27) {
         wire.stalls = at;

@@ -11,7 +11,7 @@ rm -rf "$dir" && mkdir -p "$dir"
 # $1 workers: the instructions of each thread, most first
 count()
 {
-    valgrind -q --tool=callgrind --separate-threads=yes --fair-sched=yes \
+    valgrind -q --tool=callgrind --separate-threads=yes --fair-sched=try \
         --toggle-collect=draw_share --callgrind-out-file="$dir/$1" "$program" "$1" 2 \
         >"$dir/$1.log" 2>&1 || {
         cat "$dir/$1.log" >&2
