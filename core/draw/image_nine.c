@@ -18,7 +18,8 @@ static void divide(struct axis *a, int16_t n, uint16_t near, uint16_t far, int16
     const int16_t first = least(near, n), last = least(far, (int32_t)n - first);
     const int32_t both = (int32_t)first + last;
     const bool narrow = w < both;
-    const int16_t head = narrow ? (int16_t)(etch_mul_s16(w, first) / both) : first;
+    const int16_t head = narrow ? (int16_t)((uint32_t)etch_mul_s16(w, first) / (uint32_t)both)
+                                : first;
     const int16_t tail = narrow ? (int16_t)(w - head) : last;
 
     a->from[0] = 0, a->to_from[0] = head;
@@ -28,9 +29,9 @@ static void divide(struct axis *a, int16_t n, uint16_t near, uint16_t far, int16
 }
 
 static void piece(const struct etch_surface *s, const struct etch_image_style *style, int32_t x,
-                  int32_t y, const struct axis *across, const struct axis *down, int k)
+                  int32_t y, const struct axis *across, const struct axis *down, uint8_t i,
+                  uint8_t j)
 {
-    const int i = k % 3, j = k / 3;
     const struct etch_rect part = {across->from[i], down->from[j], across->to_from[i],
                                    down->to_from[j]};
 
@@ -52,6 +53,7 @@ void etch_image_draw_nine(const struct etch_surface *s, const struct etch_image_
         return;
     divide(&across, all.x1, border->left, border->right, w);
     divide(&down, all.y1, border->top, border->bottom, h);
-    for (int k = 0; k < 9; k++)
-        piece(s, style, x, y, &across, &down, k);
+    for (uint8_t j = 0; j < 3; j++)
+        for (uint8_t i = 0; i < 3; i++)
+            piece(s, style, x, y, &across, &down, i, j);
 }

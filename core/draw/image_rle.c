@@ -29,7 +29,7 @@ static int32_t read(struct reader *r, bool first, int16_t y, int32_t n)
 
     if (plane->decode == NULL)
         return n;
-    const int32_t units = (n + plane->per_unit - 1) / plane->per_unit;
+    const int32_t units = (int32_t)((uint32_t)(n + plane->per_unit - 1) / plane->per_unit);
     int32_t got;
 
     if (first || ((uint32_t)y & ((UINT32_C(1) << plane->rows_shift) - 1)) == 0)
