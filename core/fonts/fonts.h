@@ -24,4 +24,7 @@ extern const struct etch_font etch_font_sans_16_2bit;
 extern const struct etch_font etch_font_sans_24;
 extern const struct etch_font etch_font_digits_40;
 
+/* The kerning that both fonts of 16 pixels name: a program with both has it once. */
+extern const struct etch_kern_pair etch_font_sans_16_pairs[];
+
 #endif
