@@ -30,7 +30,7 @@ static void place(struct walk *w, const struct etch_gradient_radial *g, int32_t 
     const uint32_t r = (uint32_t)g->r, d = (uint32_t)(dx * dx) + (uint32_t)(dy * dy);
 
     w->most = INT32_C(1) << g->ramp->bits;
-    w->square = (int64_t)(r * r);
+    w->square = r * r;
     w->i = d >= r * r ? w->most : (int32_t)(((uint32_t)etch_sqrt_u32(d) << g->ramp->bits) / r);
     w->f = ((int64_t)d << twice) - w->square * (w->i * w->i);
     w->grows = (2 * (int64_t)dx + 1) * (INT32_C(1) << twice);
