@@ -12,10 +12,11 @@
  * are told apart if they are w / 2048 apart at distance w, from near to far (tests/tradeoff).
  * Vertices are those of any painter: the depth planes of a frame must all be of one layout.
  *
- * Bound. The code is that nearest to some q within 2^(e - 20) of the exact one, e the exponent of the
- * triangle's greatest q, where x + y <= 2046, and within (x + y + 1) 2^(e - 31) beyond: at the triangle's
- * nearest vertex 1/2 + 1/512 of a step, twice as much beyond 1/2 for each exponent below e. q below
- * 2^-16 is 65535, and depths z nearer than 15.0 count as 15.0.
+ * Bound. With e the exponent of the triangle's greatest q and up = 30 - e, or 0 for e = 31, the code is
+ * that nearest to some q within 2^-up / 64 of the exact one where x + y <= 2046, and within
+ * (x + y + 1) 2^-up / 2^17 beyond: at the triangle's nearest vertex 1/2 + 1/512 of a step or less, twice as
+ * much beyond 1/2 for each exponent below e. q below 2^-16 is 65535, and depths z nearer than 15.0 count
+ * as 15.0.
  *
  * Source: reversed floating depth, B. Lloyd et al., "Logarithmic shadow maps", 2008, and N. Reed, "Depth
  * precision visualized", 2015. */

@@ -1,74 +1,83 @@
-/* tradeoff/candidate_fast.c: cheap colour planes. See candidates.h.
+/* tradeoff/candidate_fast.c: cheap colour planes: steps of the barycentric weights, shared by the channels.
+ * See candidates.h.
  *
- * With the extents below 2^bits and a channel's differences below 2^8, the numerators of basis.h are below
- * 2^(bits + 9). Cut to 15 bits, times a reciprocal of 16 bits, a slope errs by 2^-14 of the steepest one;
- * triangles for which that is more than 1/16 step over their extent take the precise way. */
+ * A channel is c0 + d1 w1 + d2 w2, d the differences of 8 bits at vertices 1 and 2, w their weights. The
+ * steps of the weights, in 5.27 steps of red and blue for a difference of 1, are products of a coordinate
+ * below 2^bits and the upper bits of a reciprocal, so that 32 bits hold them. A channel then takes six
+ * products modulo 2^32. */
 #include "../../core/draw/setup.h"
 #include "../../core/fragment/gouraud.h"
 #include "candidates.h"
 
-struct fast {
-    struct etch_point_q8 a; /* vertex 0 */
-    int32_t x1, y1, x2, y2;
-    int32_t reciprocal; /* 2^30 / D normalised to 2^15 .. 2^16: 14 .. 15 bits */
-    int8_t up;          /* of a slope in 2^-27 steps */
-    uint8_t down;       /* of the numerators */
+struct weight {
+    uint32_t origin, dx, dy;
 };
 
-static bool prepare(struct fast *f, const struct etch_triangle *t)
+static uint32_t scaled_wrap(int32_t v, int32_t s)
 {
-    const int32_t width = (t->x1 - t->x0) * 256 + 255, height = t->p[2].y - t->p[0].y;
-    const uint32_t extent = (uint32_t)(width | height);
+    return s >= 0 ? (uint32_t)v << s : (uint32_t)((v + (INT32_C(1) << (-s - 1))) >> -s);
+}
 
-    if (width + height >= INT32_C(512) * 256 || t->area >> 32 != 0)
+/* dx and dy are set: the origin from vertex 0, where the weight is 0. */
+static void anchor_wrap(struct weight *w, const struct etch_basis *b)
+{
+    const int32_t fine = ((int32_t)w->dx >> 8) * b->fx + ((int32_t)w->dy >> 8) * b->fy;
+
+    w->origin = (uint32_t)fine - w->dx * (uint32_t)b->ax - w->dy * (uint32_t)b->ay;
+}
+
+/* 63 / 62 of it: from 5.27 of 31 steps to 6.26 of 63. */
+static uint32_t finer_wrap(uint32_t v)
+{
+    return v + (uint32_t)((int32_t)v >> 6) + (uint32_t)((int32_t)v >> 11);
+}
+
+static void channel_wrap(struct etch_plane *p, const struct weight *w1, const struct weight *w2,
+                         uint32_t c0, int32_t d1, int32_t d2)
+{
+    p->origin = c0 + w1->origin * (uint32_t)d1 + w2->origin * (uint32_t)d2;
+    p->dx = w1->dx * (uint32_t)d1 + w2->dx * (uint32_t)d2;
+    p->dy = w1->dy * (uint32_t)d1 + w2->dy * (uint32_t)d2;
+}
+
+static bool weights_wrap(struct weight *w1, struct weight *w2, const struct etch_basis *b)
+{
+    const int32_t s = b->shift + b->bits - 27;
+    /* 31 / 255 of the reciprocal, 28 bits */
+    const int32_t r = (b->reciprocal >> 3) - (b->reciprocal >> 8), k = (r + (r >> 8)) >> b->bits;
+
+    if (3 * b->bits + b->shift > 49) /* off by 2^(2 bits + s + 2), to stay below 1/8 step or 2^24 */
         return false;
-    const uint32_t d = (uint32_t)(t->area & UINT32_MAX);
-    const uint8_t zeros = etch_leading_zeros(d), bits = (uint8_t)(32 - etch_leading_zeros(extent));
-    const int32_t h = (int32_t)(d << zeros >> 16);
-    int32_t q = 46261 - (int32_t)((uint32_t)h * 30843 >> 16); /* 2^30 / h by a line .. */
-    const int32_t e = (INT32_C(1) << 30) - h * q;             /* .. and one step of Newton's */
-
-    q += (q >> 1) * (e >> 15) >> 14;
-    f->reciprocal = q;
-    f->down = (uint8_t)(bits + 9 > 15 ? bits + 9 - 15 : 0);
-    /* slope = 256 n / D 31 2^27 / 255 = (n >> down) q 2^up 31 / 255, D = h 2^(16 - zeros) */
-    f->up = (int8_t)(8 + 27 - 30 - 16 + zeros + f->down);
-    f->a = t->p[0];
-    f->x1 = (t->p[1].x - t->p[0].x) * t->side;
-    f->y1 = (t->p[1].y - t->p[0].y) * t->side;
-    f->x2 = (t->p[2].x - t->p[0].x) * t->side;
-    f->y2 = height * t->side;
-    /* 2^(up + 15) a pixel over 2^(bits - 7) px, to stay below 1/16 step or 2^23 */
-    return f->up + 15 + bits - 7 - 3 <= 23 && f->up >= -24;
+    w1->dx = scaled_wrap(b->y2 * k, s);
+    w1->dy = scaled_wrap(-b->x2 * k, s);
+    w2->dx = scaled_wrap(-b->y1 * k, s);
+    w2->dy = scaled_wrap(b->x1 * k, s);
+    anchor_wrap(w1, b);
+    anchor_wrap(w2, b);
+    return true;
 }
 
-/* d 31 / 255 for |d| < 2^30, and d 63 / 255. */
-static int32_t of_31(int32_t d)
+static bool planes_wrap(struct etch_gouraud_paint *paint, const struct etch_triangle *t,
+                        const struct etch_basis *b, const struct etch_vertex *const v[3])
 {
-    return (d >> 3) - (d >> 8);
-}
+    const struct etch_vertex *const v0 = v[t->order[0]], *const v1 = v[t->order[1]];
+    const struct etch_vertex *const v2 = v[t->order[2]];
+    struct weight w1, w2;
 
-static int32_t of_63(int32_t d)
-{
-    return (d >> 2) - (d >> 8);
-}
-
-static void channel(struct etch_plane *p, const struct fast *f, int32_t d1, int32_t d2, bool green)
-{
-    const int32_t nx = (d1 * f->y2 - d2 * f->y1) >> f->down,
-                  ny = (d2 * f->x1 - d1 * f->x2) >> f->down;
-    const int32_t sx = nx * f->reciprocal, sy = ny * f->reciprocal;
-    const int32_t gx = green ? of_63(sx) : of_31(sx), gy = green ? of_63(sy) : of_31(sy);
-
-    p->dx = etch_wrap_scale(gx, (int8_t)(f->up - (green ? 1 : 0)));
-    p->dy = etch_wrap_scale(gy, (int8_t)(f->up - (green ? 1 : 0)));
-    /* from vertex 0 to the centre of its pixel, then to the frame's origin */
-    const int32_t fx = 128 - (f->a.x & 255), fy = 128 - (f->a.y & 255);
-    const uint32_t fine = (uint32_t)(((int32_t)p->dx >> 8) * fx + ((int32_t)p->dy >> 8) * fy);
-
-    p->origin = etch_wrap_sub(etch_wrap_add(p->origin, fine),
-                              etch_wrap_add(etch_wrap_mul(p->dx, (uint32_t)(f->a.x >> 8)),
-                                            etch_wrap_mul(p->dy, (uint32_t)(f->a.y >> 8))));
+    if (!weights_wrap(&w1, &w2, b))
+        return false;
+    /* 1/8 step from the ends: 31 - 2/8 and 63 - 2/8 of 255 */
+    channel_wrap(&paint->r, &w1, &w2, v0->r * UINT32_C(16185081) + (UINT32_C(5) << 24),
+                 v1->r - v0->r, v2->r - v0->r);
+    channel_wrap(&paint->b, &w1, &w2, v0->b * UINT32_C(16185081) + (UINT32_C(5) << 24),
+                 v1->b - v0->b, v2->b - v0->b);
+    w1.dx = finer_wrap(w1.dx), w1.dy = finer_wrap(w1.dy);
+    w2.dx = finer_wrap(w2.dx), w2.dy = finer_wrap(w2.dy);
+    anchor_wrap(&w1, b);
+    anchor_wrap(&w2, b);
+    channel_wrap(&paint->g, &w1, &w2, v0->g * UINT32_C(16514045) + (UINT32_C(5) << 23),
+                 v1->g - v0->g, v2->g - v0->g);
+    return true;
 }
 
 void candidate_triangle_fast(const struct etch_surface *s, const struct etch_vertex *const v[3],
@@ -76,26 +85,14 @@ void candidate_triangle_fast(const struct etch_surface *s, const struct etch_ver
 {
     struct etch_gouraud_paint paint;
     struct etch_triangle t;
-    struct fast f;
+    struct etch_basis b;
 
     if (!setup_visible(&t, s, v))
         return;
+    const struct etch_basis *const basis = etch_basis_setup(&b, &t) ? &b : NULL;
+
     paint.paint.kernel = kernel;
-    if (prepare(&f, &t)) {
-        const struct etch_vertex *const a = v[t.order[0]], *const b = v[t.order[1]];
-        const struct etch_vertex *const c = v[t.order[2]];
-
-        /* 1/8 step from the ends: 31 - 2/8 and 63 - 2/8 of 255 */
-        paint.r.origin = a->r * UINT32_C(16185081) + (UINT32_C(5) << 24);
-        paint.g.origin = a->g * UINT32_C(16514045) + (UINT32_C(5) << 23);
-        paint.b.origin = a->b * UINT32_C(16185081) + (UINT32_C(5) << 24);
-        channel(&paint.r, &f, b->r - a->r, c->r - a->r, false);
-        channel(&paint.g, &f, b->g - a->g, c->g - a->g, true);
-        channel(&paint.b, &f, b->b - a->b, c->b - a->b, false);
-    } else {
-        struct etch_basis basis;
-
-        setup_color(&paint, &t, etch_basis_setup(&basis, &t) ? &basis : NULL, v);
-    }
+    if (basis == NULL || !planes_wrap(&paint, &t, basis, v))
+        setup_color(&paint, &t, basis, v);
     etch_triangle_runs(s, &t, &paint.paint);
 }

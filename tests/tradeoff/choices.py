@@ -7,7 +7,7 @@ WHEN = {
     "exact": "pictures that must be right to the bit by their definition, references, tests",
     "exact carried": "never: exact is cheaper and no less exact. Not shipped",
     "precise small": "flash counts more than time",
-    "fast": "never: 2 % less on a mesh, no less elsewhere, and errs. Not shipped",
+    "fast": "never: 5 % less on a mesh, no less elsewhere, more flash, and errs. Not shipped",
     "packed": "never: precise is cheaper and more exact. Not shipped",
     "barycentric": "a function of one's own for every pixel, not for colours alone",
     "precise dithered": "slow ramps, where steps of RGB565 show; see the next table",
@@ -86,6 +86,22 @@ def separations(apart):
     return out
 
 
+# What each mode promises beyond the 1/2 of rounding, where it says so, and what proves it tight.
+BOUNDS = """### What is promised, and how tight that is
+
+| mode | stated in | error beyond 1/2 at most | an input that comes near it |
+|---|---|---|---|
+| exact | [exact.h](../../core/fragment/exact.h) | 0 | every tie: [exact.c](../unit/exact.c) |
+| precise colour | [basis.h](../../core/raster/basis.h) | 1/1024 step near, (x + y + 1) / 2^28 else | [tight.c](../unit/tight.c) |
+| precise depth | [plane.h](../../core/raster/plane.h) | 1/64 unit where x + y <= 2046, (x + y + 1) / 2^17 beyond | [tight.c](../unit/tight.c) |
+| inverse depth | [inverse.h](../../core/fragment/inverse.h) | q within 1/64 2^-up, the code of that rounded | [tight.c](../unit/tight.c) |
+| dithered, a block's mean | [dither.h](../../core/fragment/dither.h) | 1/128 step in all | [tight.c](../unit/tight.c) |
+| reciprocal of the area | [texture.h](../../core/base/texture.h) | 2^-27.9 of itself | [tight.c](../unit/tight.c), all tried |
+| reciprocal of w | [reciprocal.h](../../core/vertex/reciprocal.h) | 0: the quotient rounded down | [vertex.c](../unit/vertex.c), all tried |
+| reciprocal root | [unit.h](../../core/base/unit.h) | 2.42 units below, 0.93 above | [tight.c](../unit/tight.c), all tried |
+"""
+
+
 def tables(rows, apart):
     out = []
     for title, units, wanted in GROUPS:
@@ -97,4 +113,4 @@ def tables(rows, apart):
                 "| mode | kernel | mean | 99.9 % | worst of all scenes | M0+ /px | M4 /px | M0+ /triangle "
                 "| M4 | flash | RAM | choose it for |", "|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|---|"]
         out += ["| " + " | ".join(line(m)) + " |" for m in modes.values()] + [""]
-    return "\n".join(out + separations(apart)) + "\n"
+    return "\n".join(out + separations(apart)) + "\n\n" + BOUNDS
