@@ -147,13 +147,16 @@ void etch_polygon_draw(const struct etch_surface *s, const struct etch_point *p,
                        uint16_t color)
 {
     bool moved = false;
+    struct etch_point from;
 
+    if (n == 0)
+        return;
+    from = p[n - 1];
     for (size_t i = 0; i < n; i++) {
-        const struct etch_point to = p[i + 1 == n ? 0 : i + 1];
-
-        line(s, p[i], to, true, color);
-        moved = moved || p[i].x != to.x || p[i].y != to.y;
+        line(s, from, p[i], true, color);
+        moved = moved || from.x != p[i].x || from.y != p[i].y;
+        from = p[i];
     }
-    if (n > 0 && !moved)
-        etch_point_draw(s, p[0].x, p[0].y, color);
+    if (!moved)
+        etch_point_draw(s, from.x, from.y, color);
 }
