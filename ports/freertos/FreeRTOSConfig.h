@@ -11,7 +11,7 @@ void mps2_stop(void);
 #define configUSE_PREEMPTION 1
 #define configUSE_TIME_SLICING 1
 #define configUSE_IDLE_HOOK 0
-#define configUSE_TICK_HOOK 0
+#define configUSE_TICK_HOOK 1
 #define configMAX_PRIORITIES 4
 #define configMINIMAL_STACK_SIZE 128
 #define configSUPPORT_STATIC_ALLOCATION 1
