@@ -5,8 +5,8 @@
 
 #include "../../core/draw/triangle.h"
 
-/* Colour planes by a reciprocal of 15 bits and products of 32, colours squeezed by 1/16 step so that no
- * error wraps round. A painter for etch_kernel_gouraud. */
+/* Colour planes by steps of the barycentric weights, which the channels share, in products of 32 bits;
+ * colours are squeezed by 1/8 step so that no error wraps round. A painter for etch_kernel_gouraud. */
 etch_triangle_painter candidate_triangle_fast;
 
 /* Three channels in one word, 5.5, 6.6 and 5.5 bits, one add a pixel; set anew from the precise planes at
