@@ -125,7 +125,7 @@ static bool read_brush(struct etch_scene_reader *reader,
     if (brush == NULL || !etch_text_choice(&reader->text, "brush", kinds, &kind)) {
         return false;
     }
-    brush->kind = kind;
+    brush->kind = (enum etch_scene_brush_kind)kind;
     brush->count = 0;
     switch (kind) {
     case ETCH_SCENE_NO_BRUSH: return true;

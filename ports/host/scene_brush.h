@@ -12,7 +12,7 @@
 
 /* The statements brush, opacity and stipple as they stand. */
 struct etch_scene_brush {
-    enum {
+    enum etch_scene_brush_kind {
         ETCH_SCENE_NO_BRUSH,
         ETCH_SCENE_LINEAR,
         ETCH_SCENE_RADIAL,
