@@ -97,9 +97,10 @@ struct etch_scene_step {
 struct etch_scene_view {
     struct etch_matrix model;
     struct etch_vector eye, target, up;
-    bool parallel, canonical;
+    bool parallel, canonical, frustum;
     etch_q16 angle_of_view; /* degrees, up and down */
     etch_q16 height, near, far;
+    struct etch_box box; /* of a frustum */
     uint8_t ambient[3], material[4];
     uint8_t light_count;
     struct etch_vector light_towards[ETCH_SCENE_LIGHTS];

@@ -30,9 +30,26 @@ static bool read_perspective(struct etch_scene_reader *reader,
                              const struct etch_scene_statement *statement)
 {
     (void)statement;
-    reader->view.parallel = reader->view.canonical = false;
+    reader->view.parallel = reader->view.canonical = reader->view.frustum = false;
     return etch_text_q16(&reader->text, "degrees", &reader->view.angle_of_view) &&
            read_range(reader);
+}
+
+/* the sides of what is seen on the near plane, the eye anywhere before it */
+static bool read_frustum(struct etch_scene_reader *reader,
+                         const struct etch_scene_statement *statement)
+{
+    struct etch_box *box = &reader->view.box;
+
+    (void)statement;
+    reader->view.parallel = reader->view.canonical = false;
+    reader->view.frustum = true;
+    return etch_text_q16(&reader->text, "left", &box->left) &&
+           etch_text_q16(&reader->text, "right", &box->right) &&
+           etch_text_q16(&reader->text, "bottom", &box->bottom) &&
+           etch_text_q16(&reader->text, "top", &box->top) &&
+           etch_text_q16(&reader->text, "near", &box->near) &&
+           etch_text_q16(&reader->text, "far", &box->far);
 }
 
 static bool read_parallel(struct etch_scene_reader *reader,
@@ -162,6 +179,9 @@ static enum etch_status make_projection(const struct etch_scene_reader *reader,
     if (view->parallel) {
         return etch_matrix_orthographic(m, &box);
     }
+    if (view->frustum) {
+        return etch_matrix_frustum(m, &view->box);
+    }
     if (view->angle_of_view <= 0 || view->angle_of_view >= 180 * ETCH_Q16_ONE) {
         return ETCH_EINVAL;
     }
@@ -179,7 +199,7 @@ bool etch_scene_model_to_clip(struct etch_scene_reader *reader, struct etch_matr
         return true;
     }
     if (make_projection(reader, m) != ETCH_OK) {
-        return etch_text_fail(&reader->text, "there is no such perspective or parallel view");
+        return etch_text_fail(&reader->text, "there is no such perspective, frustum or parallel view");
     }
     if (etch_matrix_look_at(&eye, &view->eye, &view->target, &view->up) != ETCH_OK) {
         return etch_text_fail(&reader->text, "the camera has no direction or is too far away");
@@ -194,6 +214,7 @@ bool etch_scene_model_to_clip(struct etch_scene_reader *reader, struct etch_matr
 const struct etch_scene_statement etch_scene_view_statements[] = {
     {"camera", read_camera, NULL, NULL, NULL},
     {"perspective", read_perspective, NULL, NULL, NULL},
+    {"frustum", read_frustum, NULL, NULL, NULL},
     {"parallel", read_parallel, NULL, NULL, NULL},
     {"canonical", read_canonical, NULL, NULL, NULL},
     {"model", read_model, NULL, NULL, NULL},

@@ -3,6 +3,9 @@
 scene '2: x is missing' 'scene 8 8\ncamera\n'
 scene '2: y is missing' 'scene 8 8\ncamera 0 0 0 1 1 1 0\n'
 scene '2: far is missing' 'scene 8 8\nperspective 45 1\n'
+scene '2: left is missing' 'scene 8 8\nfrustum\n'
+scene '2: far is missing' 'scene 8 8\nfrustum -1 1 -1 1 1\n'
+scene '2: unexpected "9"' 'scene 8 8\nfrustum -1 1 -1 1 1 8 9\n'
 scene '2: a light needs a direction' 'scene 8 8\nlight 0 0 0 1 2 3\n'
 scene '2: unexpected "1"' 'scene 8 8\nlight off 1\n'
 scene '2: model: "move" is unknown' 'scene 8 8\nmodel move 1\n'
@@ -21,6 +24,10 @@ rejects_mesh() { # MESSAGE STATEMENTS: a mesh that is right in a view that is no
 rejects_mesh '3: there is no such perspective' 'perspective 180 1 10'
 rejects_mesh '3: there is no such perspective' 'perspective 45 10 1'
 rejects_mesh '3: there is no such perspective' 'parallel 0 1 10'
+rejects_mesh '3: there is no such .*frustum' 'frustum 1 1 -1 1 1 10'
+rejects_mesh '3: there is no such .*frustum' 'frustum -1 1 2 2 1 10'
+rejects_mesh '3: there is no such .*frustum' 'frustum -1 1 -1 1 0 10'
+rejects_mesh '3: there is no such .*frustum' 'frustum -1 1 -1 1 10 1'
 rejects_mesh '3: the camera has no direction' 'camera 1 1 1  1 1 1'
 
 obj '0: no face' ''
@@ -72,6 +79,24 @@ mesh 'exponents' 'v -.1e1 -10E-1 0\nv +1.e0 -0.0001e+4 0\nv 100e-2 1 0.0\nv -1 1
 mesh 'w and colours' 'v -1 -1 0 1\nv 1 -1 0 .5 .5 .5\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n'
 mesh 'continued lines' "${square}f 1 2 \\\\\n 3 \\\\\r\n4\n"
 mesh 'a zero normal falls nowhere' "${square}v 9 9 9\nf 1 2 3 4\nf 5 5 5\n"
+
+# A frustum that is even is perspective; one off the centre shows its part of it, whatever came before.
+front='camera 0 0 2 0 0 0\nambient 0 0 0\nlight 0 0 1 255 255 255\nmaterial 0 255 0\n'
+printf "${square}f 1 2 3 4\n" >"$out/right.obj"
+for seen in 'frustum -1 1 -1 1 1 10' 'parallel 4 1 10\nfrustum -1 1 -1 1 1 10' \
+    'canonical\nfrustum -1 1 -1 1 1 10' 'frustum 0 1 0 1 1 10\nperspective 90 1 10' \
+    'frustum 0 1 0 1 1 10\nparallel 4 1 10'; do
+    draws "$seen" "scene 4 4\n$front$seen\nmesh right.obj\n" "$picture"
+done
+draws 'a frustum off the centre' "scene 4 4\n${front}frustum 0 1 0 1 1 10\nmesh right.obj\n" \
+    '0000000000000000''0000000000000000''e007e00700000000''e007e00700000000'
+for seen in 'perspective 90 1 10' 'frustum -1.5 1.5 -1 1 1 10'; do
+    printf "scene 48 32\nstate ztest less\n$front$seen\nmodel rotate y 50\nmodel scale 2\nmesh right.obj\n" \
+        >"$out/right.scene"
+    sim "$out/right.scene" --raw "$out/frustum.${seen%% *}" --depth "$out/z.${seen%% *}"
+done
+same 'an even frustum' "$out/frustum.perspective" "$out/frustum.frustum"
+same 'an even frustum, depth' "$out/z.perspective" "$out/z.frustum"
 
 # Small and large models keep their size; the parallel view is scaled with them.
 for size in '0.001 0.004' '300 1200' '8000 32000'; do
