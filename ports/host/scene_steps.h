@@ -130,13 +130,13 @@ struct etch_scene_reader {
     struct etch_scene_state state;
     struct etch_scene_view view;
     struct etch_scene_primitive_choice primitive;
-    struct etch_scene_texture *texture; /* the latest, or NULL */
-    struct etch_scene_sorted *sorted;   /* the block that is open, or NULL */
-    struct etch_scene_staged *staged;   /* the latest pipeline of stages, or NULL */
-    const struct etch_phong *phong;     /* of the mesh in hand, else NULL */
-    const struct etch_font *font;       /* the latest, or NULL; of text */
+    struct etch_scene_texture *texture;   /* the latest, or NULL */
+    struct etch_scene_sorted *sorted;     /* the block that is open, or NULL */
+    struct etch_scene_staged *staged;     /* the latest pipeline of stages, or NULL */
+    const struct etch_phong *phong;       /* of the mesh in hand, else NULL */
+    const struct etch_font *font;         /* the latest, or NULL; of text */
     const struct etch_scene_image *image; /* the latest, or NULL; of blit and its like */
-    struct elements *elements;          /* the list between list and endlist, else NULL */
+    struct elements *elements;            /* the list between list and endlist, else NULL */
 
     const struct etch_scene_brush *brush; /* the latest, or NULL; of fill, draw, smooth and solid */
 };

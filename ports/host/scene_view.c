@@ -199,7 +199,8 @@ bool etch_scene_model_to_clip(struct etch_scene_reader *reader, struct etch_matr
         return true;
     }
     if (make_projection(reader, m) != ETCH_OK) {
-        return etch_text_fail(&reader->text, "there is no such perspective, frustum or parallel view");
+        return etch_text_fail(&reader->text,
+                              "there is no such perspective, frustum or parallel view");
     }
     if (etch_matrix_look_at(&eye, &view->eye, &view->target, &view->up) != ETCH_OK) {
         return etch_text_fail(&reader->text, "the camera has no direction or is too far away");
