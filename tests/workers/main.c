@@ -1,7 +1,8 @@
 /* tests/workers: workers COUNT FRAMES: draws frames of a torus of 50,000 triangles by COUNT
  * threads, each of which counts as a worker; compares each with the frame of one thread on one
- * surface, and prints the microseconds that the frames took. workers.sh counts instructions in
- * draw_share. */
+ * surface, and prints the microseconds that the frames took. The rows of a strip are those of one
+ * alone divided by COUNT, so that however many there are they share the same memory. workers.sh
+ * counts instructions in draw_share. */
 #define _POSIX_C_SOURCE 200809L
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,7 +15,7 @@
 enum {
     WIDTH = 320,
     HEIGHT = 240,
-    ROWS = 12,
+    ROWS = 12, /* of a strip of one alone */
     STRIP = WIDTH * ROWS,
     MOST = 8
 };
@@ -96,7 +97,7 @@ static uint64_t draw_frame(uint16_t turn)
 
 static bool open_workers(const struct etch_monitor *monitor, int count)
 {
-    if (etch_workers_init(&workers, &display, monitor, ROWS) != 0)
+    if (etch_workers_init(&workers, &display, monitor, (int16_t)(ROWS / count)) != 0)
         return false;
     for (int i = 0; i < count; i++) {
         const struct etch_frame_memory memory = {.pixels = {hand[i].pixels[0], hand[i].pixels[1]},

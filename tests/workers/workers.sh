@@ -5,6 +5,7 @@
 # machine does.
 set -eu
 LIMIT=0.59
+FRAMES=4
 program=$1 dir=$2
 rm -rf "$dir" && mkdir -p "$dir"
 
@@ -12,7 +13,7 @@ rm -rf "$dir" && mkdir -p "$dir"
 count()
 {
     valgrind -q --tool=callgrind --separate-threads=yes --fair-sched=try \
-        --toggle-collect=draw_share --callgrind-out-file="$dir/$1" "$program" "$1" 2 \
+        --toggle-collect=draw_share --callgrind-out-file="$dir/$1" "$program" "$1" "$FRAMES" \
         >"$dir/$1.log" 2>&1 || {
         cat "$dir/$1.log" >&2
         return 1
@@ -25,10 +26,10 @@ two=$(count 2)
 slow=$("$program" 1 10)
 fast=$("$program" 2 10)
 # shellcheck disable=SC2086
-echo $alone $two "$slow" "$fast" | awk -v limit=$LIMIT '
+echo $alone $two "$slow" "$fast" | awk -v limit=$LIMIT -v frames=$FRAMES '
     NF != 5 { print "FAIL: not one thread and two were counted"; exit 1 }
     {
-        printf "50000 triangles, instructions of 2 frames: "
+        printf "50000 triangles, instructions of %d frames: ", frames
         printf "one worker %d, two %d and %d\n", $1, $2, $3
         printf "the busier of two executes %.3f of one alone (at most %s)\n", $2 / $1, limit
         printf "wall clock of 10 frames: %.1f ms and %.1f ms, %.2f of one alone\n", $4 / 1000,
