@@ -20,15 +20,6 @@ struct walk {
     int32_t n;      /* pixels left after the first */
 };
 
-/* Leaves out the first pixel. */
-ETCH_INLINE void walk_step(struct walk *w)
-{
-    w->u++;
-    w->e += w->dv;
-    if (w->e >= 0)
-        w->e -= w->du, w->v += w->sv;
-}
-
 /* Leaves out the first k pixels. */
 static ETCH_COLD void walk_skip(struct walk *w, uint32_t k)
 {
@@ -75,49 +66,111 @@ static bool is_inside(const struct etch_rect *c, struct etch_point p)
     return p.x >= c->x0 && p.x < c->x1 && p.y >= c->y0 && p.y < c->y1;
 }
 
-/* The line without its far end if `open`. */
-static void line(const struct etch_surface *s, struct etch_point a, struct etch_point b, bool open,
-                 uint16_t color)
+/* A line in the order in which it is walked, whole. */
+struct line {
+    struct etch_point from;
+    bool steep;     /* u is y */
+    bool falls;     /* v falls as u grows; either if it never moves */
+    bool backward;  /* from b to a */
+    int32_t du, dv; /* as in struct walk, */
+    int32_t e, n;   /* and at its beginning */
+};
+
+ETCH_INLINE struct line line_of(struct etch_point a, struct etch_point b)
 {
     const int32_t dx = (int32_t)b.x - a.x, dy = (int32_t)b.y - a.y;
     const int32_t ax = dx < 0 ? -dx : dx, ay = dy < 0 ? -dy : dy;
-    const bool steep = ay > ax, backward = steep ? dy < 0 : dx < 0;
-    const struct etch_point p = backward ? b : a;
-    struct walk w;
+    struct line s;
 
-    w.u = steep ? p.y : p.x;
-    w.v = steep ? p.x : p.y;
-    w.du = steep ? ay : ax;
-    w.dv = steep ? ax : ay;
-    w.sv = ((steep ? dx : dy) < 0) == backward ? 1 : -1;
-    w.n = w.du;
-    w.e = ((w.du - (w.du != 0)) >> 1) - w.du;
-    if (open) {
-        if (w.n-- == 0)
-            return;
-        if (backward)
-            walk_step(&w);
-    }
-    if (!is_inside(&s->clip, a) || !is_inside(&s->clip, b)) {
-        const struct etch_rect c = s->clip, turned = {c.y0, c.x0, c.y1, c.x1};
-        struct walk cut = w;
+    s.steep = ay > ax;
+    s.falls = (dx ^ dy) < 0;
+    s.backward = s.steep ? dy < 0 : dx < 0;
+    s.from = s.backward ? b : a;
+    s.du = s.steep ? ay : ax;
+    s.dv = s.steep ? ax : ay;
+    s.e = ((s.du - (s.du != 0)) >> 1) - s.du;
+    s.n = s.du;
+    return s;
+}
 
-        if (!walk_clip(&cut, steep ? &turned : &c))
-            return;
-        w = cut;
+/* Leaves out b; false if nothing is left. */
+ETCH_INLINE bool line_open(struct line *s)
+{
+    int16_t *const u = s->steep ? &s->from.y : &s->from.x, *const v = s->steep ? &s->from.x
+                                                                               : &s->from.y;
+
+    if (s->n-- == 0)
+        return false;
+    if (s->backward) {
+        ++*u;
+        s->e += s->dv;
+        if (s->e >= 0) {
+            s->e -= s->du;
+            *v = (int16_t)(s->falls ? *v - 1 : *v + 1);
+        }
     }
-    uint16_t *const pixel = s->pixels + (steep ? etch_surface_index(s, (int16_t)w.v, (int16_t)w.u)
-                                               : etch_surface_index(s, (int16_t)w.u, (int16_t)w.v));
-    const ptrdiff_t row = (ptrdiff_t)s->stride;
-    const ptrdiff_t along = steep ? row : 1;
-    const ptrdiff_t aside = along + (steep ? (ptrdiff_t)w.sv : w.sv > 0 ? row : -row);
+    return true;
+}
+
+/* All of it is inside. */
+ETCH_INLINE void line_walk(const struct etch_surface *surface, const struct line *s, uint16_t color)
+{
+    uint16_t *const pixel = surface->pixels + etch_surface_index(surface, s->from.x, s->from.y);
+    const ptrdiff_t row = (ptrdiff_t)surface->stride;
+    const ptrdiff_t along = s->steep ? row : 1, side = s->steep ? 1 : row;
+    const ptrdiff_t aside = s->falls ? along - side : along + side;
 
     /* Above 1/2 the roles change: it goes along where dv' = du - dv reaches 0 from e'. */
-    if (2 * w.dv <= w.du)
-        etch_line_walk(pixel, (uint32_t)w.n, along, aside, w.e, w.du, w.dv, color);
+    if (2 * s->dv <= s->du)
+        etch_line_walk(pixel, (uint32_t)s->n, along, aside, s->e, s->du, s->dv, color);
     else
-        etch_line_walk(pixel, (uint32_t)w.n, aside, along, -1 - (w.e + w.du), w.du, w.du - w.dv,
-                       color);
+        etch_line_walk(pixel, (uint32_t)s->n, aside, along, -1 - (s->e + s->du), s->du,
+                       s->du - s->dv, color);
+}
+
+/* What the clip leaves of the line, without b if `open`. */
+static ETCH_COLD void line_part(const struct etch_surface *surface, struct etch_point a,
+                                struct etch_point b, bool open, uint16_t color)
+{
+    const struct etch_rect c = surface->clip, turned = {c.y0, c.x0, c.y1, c.x1};
+    struct line s = line_of(a, b);
+    struct walk w;
+
+    if (open && !line_open(&s))
+        return;
+    w = (struct walk){.u = s.steep ? s.from.y : s.from.x,
+                      .v = s.steep ? s.from.x : s.from.y,
+                      .e = s.e,
+                      .du = s.du,
+                      .dv = s.dv,
+                      .sv = s.falls ? -1 : 1,
+                      .n = s.n};
+    if (!walk_clip(&w, s.steep ? &turned : &c))
+        return;
+    s.from.x = (int16_t)(s.steep ? w.v : w.u);
+    s.from.y = (int16_t)(s.steep ? w.u : w.v);
+    s.e = w.e;
+    s.n = w.n;
+    line_walk(surface, &s, color);
+}
+
+ETCH_INLINE bool is_whole(const struct etch_rect *clip, struct etch_point a, struct etch_point b)
+{
+    return is_inside(clip, a) && is_inside(clip, b);
+}
+
+/* The line without b. */
+static void segment(const struct etch_surface *s, struct etch_point a, struct etch_point b,
+                    uint16_t color)
+{
+    if (is_whole(&s->clip, a, b)) {
+        struct line line = line_of(a, b);
+
+        if (line_open(&line))
+            line_walk(s, &line, color);
+    } else {
+        line_part(s, a, b, true, color);
+    }
 }
 
 void etch_line_draw(const struct etch_surface *s, int16_t x0, int16_t y0, int16_t x1, int16_t y1,
@@ -125,7 +178,13 @@ void etch_line_draw(const struct etch_surface *s, int16_t x0, int16_t y0, int16_
 {
     const struct etch_point a = {x0, y0}, b = {x1, y1};
 
-    line(s, a, b, false, color);
+    if (is_whole(&s->clip, a, b)) {
+        const struct line line = line_of(a, b);
+
+        line_walk(s, &line, color);
+    } else {
+        line_part(s, a, b, false, color);
+    }
 }
 
 void etch_polyline_draw(const struct etch_surface *s, const struct etch_point *p, size_t n,
@@ -136,7 +195,7 @@ void etch_polyline_draw(const struct etch_surface *s, const struct etch_point *p
     if (n == 0)
         return;
     for (size_t i = 1; i < n; i++) {
-        line(s, p[i - 1], p[i], true, color);
+        segment(s, p[i - 1], p[i], color);
         moved = moved || p[i - 1].x != p[i].x || p[i - 1].y != p[i].y;
     }
     if (!moved || p[0].x != p[n - 1].x || p[0].y != p[n - 1].y)
@@ -153,7 +212,7 @@ void etch_polygon_draw(const struct etch_surface *s, const struct etch_point *p,
         return;
     from = p[n - 1];
     for (size_t i = 0; i < n; i++) {
-        line(s, from, p[i], true, color);
+        segment(s, from, p[i], color);
         moved = moved || from.x != p[i].x || from.y != p[i].y;
         from = p[i];
     }
