@@ -20,7 +20,8 @@ CORE := $(sort $(wildcard core/*/*.c))
 HAL  := $(sort $(wildcard hal/*.c ports/framebuffer/*.c))
 SIM  := $(sort $(wildcard ports/host/*.c))
 UNIT := $(sort $(wildcard tests/unit/*.c))
-TEST := $(UNIT) $(sort $(wildcard tests/harness/*.c tests/oracle/*.c))
+TEST := $(UNIT) $(sort $(wildcard tests/harness/*.c tests/oracle/*.c)) \
+        tests/exhaustive/triangles.c tests/exhaustive/clipped.c
 
 LIB       := $(BUILD)/libetch.a
 SIMLIB    := $(BUILD)/libetchsim.a

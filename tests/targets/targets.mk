@@ -46,7 +46,8 @@ USED :=
 # The suites that need neither a C library nor the simulated panel, and what they are linked with.
 TARGET_UNIT := $(basename $(notdir $(shell grep -L \
     'ports/\|panel_parts\|test_trips\|<stdio\|<stdlib\|<string' tests/unit/*.c)))
-TARGET_HARNESS := $(filter-out tests/harness/host.c tests/harness/asserts.c,$(wildcard tests/harness/*.c tests/oracle/*.c))
+TARGET_HARNESS := $(filter-out tests/harness/host.c tests/harness/asserts.c,$(wildcard tests/harness/*.c tests/oracle/*.c)) \
+    tests/exhaustive/triangles.c tests/exhaustive/clipped.c
 
 # $(call board,NAME): objects, a library of core and hal, a firmware for each scene.
 define board
