@@ -38,9 +38,10 @@ RECURSION = {"draw_tile": 8}
 
 
 class Graph:
-    def __init__(self, folder):
+    def __init__(self, names):
+        """From these .ci files."""
         self.frame, self.calls = {}, {}
-        for name in sorted(glob.glob(folder + "/**/*.ci", recursive=True)):
+        for name in names:
             with open(name, encoding="utf8") as f:
                 text = f.read()
             for m in re.finditer(r'node: \{ title: "([^"]+)" label: "[^"]*?(\d+) bytes \((\w+)\)', text):
@@ -51,7 +52,7 @@ class Graph:
                                  text):
                 self.calls.setdefault(m[1], set()).add((m[2], m[3]))
         if not self.frame:
-            sys.exit(f"{folder}: no call graphs")
+            sys.exit("no call graphs")
         self.source = {f: open(f, encoding="utf8").read() for f in
                        sorted(glob.glob("core/**/*.[ch]", recursive=True) +
                               glob.glob("hal/**/*.[ch]", recursive=True))}
@@ -70,14 +71,22 @@ class Graph:
         found = set(re.findall(rf"\b{kind} (\w+)[;,\s]", self.texts))
         return [f for f in self.frame if f.split(":")[-1] in found]
 
-    def pointer(self, place):
-        """The functions of an indirect call at FILE:LINE:COLUMN, or USER."""
+    def called(self, place):
+        """The last name of the expression that is called at FILE:LINE:COLUMN."""
         path, line, column = place.rsplit(":", 2)
+        if path not in self.source:
+            with open(path, encoding="utf8") as f:
+                self.source[path] = f.read()
         text = self.source[path].split("\n")[int(line) - 1][int(column) - 1:]
         m = re.match(r"\W*(\w+)\)?\(", text) or re.search(r"(?:->|\.)(\w+)\(", text)
-        if not m or m[1] not in POINTERS:
-            sys.exit(f"{place}: a call through an unknown pointer: {text}")
-        what = self.chosen.get(m[1], POINTERS[m[1]])
+        return m[1] if m else sys.exit(f"{place}: a call that cannot be read: {text}")
+
+    def pointer(self, place):
+        """The functions of an indirect call, or USER."""
+        name = self.called(place)
+        if name not in POINTERS:
+            sys.exit(f"{place}: a call through an unknown pointer, {name}")
+        what = self.chosen.get(name, POINTERS[name])
         if what == USER:
             return [USER]
         if isinstance(what, str):
@@ -158,7 +167,8 @@ def alone(graph, lines, table):
 
 def main():
     folder, budgets, table = sys.argv[1:]
-    graph, whole, single = Graph(folder), [], []
+    names = sorted(glob.glob(folder + "/**/*.ci", recursive=True))
+    graph, whole, single = Graph(names), [], []
     with open(budgets, encoding="utf8") as f:
         for words in (line.split("#")[0].split() for line in f):
             if words[1:2] == ["alone"]:
@@ -172,4 +182,5 @@ def main():
     sys.exit(failed != 0)
 
 
-main()
+if __name__ == "__main__":
+    main()
