@@ -113,6 +113,8 @@ static void flat(const struct half *h, struct etch_octant_part right)
         if (x != 0)
             *pens.q = h->color;
         walk_flat(&pens, row_step(h), right.to < left.to ? right.to : left.to, h->color);
+        if (right.to == left.to)
+            return;
         leads = right.to > left.to;
         p = leads ? pens.p : pens.q;
     }
@@ -143,7 +145,8 @@ static void steep(const struct half *h, struct etch_octant_part right)
     uint16_t *p = pixel_at(h, side * y, first.from);
 
     *p = h->color;
-    p = etch_octant_walk(&pens.at, p, row_step(h), side, both ? second.from : first.to, h->color);
+    if (!both || first.from != second.from)
+        p = etch_octant_walk(&pens.at, p, row_step(h), side, both ? second.from : first.to, h->color);
     if (both) {
         const int32_t across = pens.at.down + 2; /* 2 y */
         uint16_t *const q = leads ? p - across : p + across;
@@ -153,27 +156,6 @@ static void steep(const struct half *h, struct etch_octant_part right)
         pens.q = leads ? q : p;
         walk_steep(&pens, row_step(h), right.to, h->color);
     }
-}
-
-/* A circle that needs no clip. */
-static void whole(const struct etch_surface *s, int16_t cx, int16_t cy, int32_t r, int32_t end,
-                  int32_t steep_end, uint16_t color)
-{
-    const ptrdiff_t row = (ptrdiff_t)s->stride;
-    uint16_t *const centre = s->pixels + etch_surface_index(s, cx, cy);
-    uint16_t *const below = centre + row * (ptrdiff_t)r;
-    uint16_t *const above = centre - row * (ptrdiff_t)r;
-    const struct etch_octant_pen at = {-1, 2 * r - 2, -r}; /* (0, r) */
-    const struct pens sides = {centre + r, centre - r, at};
-
-    *below = color;
-    walk_flat(&(struct pens){below, below, at}, row, end, color);
-    *above = color;
-    walk_flat(&(struct pens){above, above, at}, -row, end, color);
-    *sides.p = color;
-    *sides.q = color;
-    walk_steep(&sides, row, steep_end, color);
-    walk_steep(&sides, -row, steep_end, color);
 }
 
 static bool is_inside(const struct etch_rect *c, int16_t cx, int16_t cy, int16_t r)
@@ -194,7 +176,8 @@ void etch_circle_draw(const struct etch_surface *s, int16_t cx, int16_t cy, int1
     const int32_t end = octant_end(r), steep_end = end - octant_meets_diagonal(r, end);
 
     if (is_inside(&s->clip, cx, cy, r)) {
-        whole(s, cx, cy, r, end, steep_end, color);
+        etch_circle_whole(s->pixels + etch_surface_index(s, cx, cy), (ptrdiff_t)s->stride, r, end,
+                          steep_end, color);
     } else {
         const struct half below = {s, cx, cy, r, 1, color}, above = {s, cx, cy, r, -1, color};
 

@@ -120,11 +120,11 @@ LEAVES        := $(BENCH)/leaves
 LEAF_PORTABLE := base/fill fragment/flat fragment/gouraud raster/line_walk \
                  fragment/depth_rows_less fragment/depth_rows_lequal \
                  fragment/gouraud_narrow_less fragment/gouraud_narrow_lequal raster/edge_run \
-                 raster/basis_color
+                 raster/basis_color raster/circle_whole
 LEAF_NAMES    := etch_fill_rows etch_kernel_flat etch_kernel_gouraud etch_line_walk \
                  etch_depth_rows_less etch_depth_rows_lequal \
                  etch_gouraud_narrow_less etch_gouraud_narrow_lequal etch_edge_run \
-                 etch_basis_color
+                 etch_basis_color etch_circle_whole
 $(LEAVES)/%.o: $(BENCH)/m0plus-portable/core/%.o
 	@mkdir -p $(@D)
 	@$(ARM)objcopy $(foreach n,$(LEAF_NAMES),--redefine-sym $(n)=portable_$(n)) $< $@
@@ -141,7 +141,7 @@ CHECK_STEPS += bench-leaves
 bench-leaves: $(LEAVES)/leaves.elf ## proves the leaf loops of ARMv6-M against the portable C
 	@QEMU_AUDIO_DRV=none timeout 300 qemu-system-arm -M mps2-an385 -display none -monitor none \
 	    -serial none -semihosting-config enable=on,target=native -kernel $<
-	@echo "5400 calls of leaf loops write what the portable C writes"
+	@echo "5700 calls of leaf loops write what the portable C writes"
 
 .PHONY: profile
 profile: $(BENCH_RUNS) ## instructions per function (W=6 CORES=m0plus; PROFILE=line, PROFILE=insn)

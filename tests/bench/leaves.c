@@ -10,6 +10,7 @@
 #include "../../core/raster/basis.h"
 #include "../../core/raster/edge.h"
 #include "../../core/raster/line_walk.h"
+#include "../../core/raster/octant.h"
 
 #define WORDS 20000
 
@@ -25,6 +26,9 @@ bool portable_etch_basis_color(const struct etch_basis *b, const struct etch_tri
                                const struct etch_vertex *const v[3], struct etch_plane *red,
                                struct etch_plane *green, struct etch_plane *blue);
 etch_kernel portable_etch_kernel_flat, portable_etch_kernel_gouraud;
+
+void portable_etch_circle_whole(uint16_t *centre, ptrdiff_t row, int32_t r, int32_t end,
+                                int32_t steep_end, uint16_t color);
 
 static uint32_t leaf[WORDS], portable[WORDS], seed;
 
@@ -199,6 +203,20 @@ static bool line_differs(void)
     return differ();
 }
 
+/* Every radius that fits. */
+static bool circle_differs(void)
+{
+    const int32_t r = 1 + (int32_t)below(80), end = octant_end(r);
+    const int32_t steep_end = end - octant_meets_diagonal(r, end);
+    const ptrdiff_t row = 2 * r + 1 + (ptrdiff_t)below(9);
+    const uint16_t color = (uint16_t)wl_next(&seed);
+
+    wipe();
+    etch_circle_whole((uint16_t *)leaf + WORDS, row, r, end, steep_end, color);
+    portable_etch_circle_whole((uint16_t *)portable + WORDS, row, r, end, steep_end, color);
+    return differ();
+}
+
 /* Edges of every slope. */
 static bool edge_differs(void)
 {
@@ -264,6 +282,8 @@ int main(void)
             return 3;
         if (line_differs())
             return 4;
+        if (circle_differs())
+            return 8;
         if (depth_differs(leaf_less, portable_less, i % 2 == 0))
             return 5;
         if (depth_differs(leaf_lequal, portable_lequal, i % 2 == 0))
