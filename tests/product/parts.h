@@ -13,12 +13,14 @@
 #define PANEL_GLYPH etch_glyph_blend4
 #define PANEL_COVER_FLAT etch_cover_flat
 #define PANEL_COVER_BRUSH etch_cover_brush
+#define PANEL_FLAT_BLEND etch_kernel_flat_blend
 #define PANEL_STAGE_WRITE etch_stage_write
 #define PANEL_SWAP(color) (color)
 #else
 #define PANEL_GLYPH etch_glyph_blend4_swapped
 #define PANEL_COVER_FLAT etch_cover_flat_swapped
 #define PANEL_COVER_BRUSH etch_cover_brush_swapped
+#define PANEL_FLAT_BLEND etch_kernel_flat_blend_swapped
 #define PANEL_STAGE_WRITE etch_stage_write_swapped
 #define PANEL_SWAP(color) etch_rgb565_swap(color)
 #endif
