@@ -146,7 +146,8 @@ static void steep(const struct half *h, struct etch_octant_part right)
 
     *p = h->color;
     if (!both || first.from != second.from)
-        p = etch_octant_walk(&pens.at, p, row_step(h), side, both ? second.from : first.to, h->color);
+        p = etch_octant_walk(&pens.at, p, row_step(h), side, both ? second.from : first.to,
+                             h->color);
     if (both) {
         const int32_t across = pens.at.down + 2; /* 2 y */
         uint16_t *const q = leads ? p - across : p + across;
