@@ -1,10 +1,10 @@
 #!/bin/sh
 # Runs steps and sums what they report.
 #       steps.sh DIRECTORY NAME COMMAND [NAME COMMAND] ..
-# Shows each step's output and keeps it in DIRECTORY/NAME.log. A step that ends with a line
-# "N passed, N failed" counts with those numbers, any other as one by its exit status; one that
-# stops without reporting a failure of its own counts as one failed. Ends with the sum in the same
-# form, so that steps nest, and fails if anything failed.
+# Shows each step's output, keeps it in DIRECTORY/NAME.log, and tells the seconds it took. A step
+# that ends with a line "N passed, N failed" counts with those numbers, any other as one by its exit
+# status; one that stops without reporting a failure of its own counts as one failed. Ends with the
+# sum in the same form, so that steps nest, and fails if anything failed.
 dir=$1
 shift
 mkdir -p "$dir" || exit 1
@@ -14,6 +14,7 @@ while [ $# -gt 0 ]; do
     name=$1 command=$2
     shift 2
     echo "== $name"
+    begin=$(date +%s)
     { sh -c "$command" 2>&1; echo $? >"$dir/$name.status"; } | tee "$dir/$name.log"
     status=$(cat "$dir/$name.status")
     sum=$(sed -n 's/^\([0-9][0-9]*\) passed, \([0-9][0-9]*\) failed$/\1 \2/p' "$dir/$name.log" |
@@ -26,6 +27,7 @@ while [ $# -gt 0 ]; do
     [ "$status" -eq 0 ] || [ "$f" -gt 0 ] || f=1
     [ "$f" -eq 0 ] || bad="$bad $name"
     passed=$((passed + p)) failed=$((failed + f))
+    echo "== $name: $(($(date +%s) - begin)) s"
 done
 
 [ -z "$bad" ] || echo "failed:$bad (logs in $dir)"
