@@ -19,6 +19,10 @@ struct slope {
     uint64_t rest;  /* 0 .. D - 1 */
 };
 
+/*@ requires 1 <= d <= 0x1000000000000;
+    requires -0x200000000000000 < n < 0x200000000000000;
+    assigns \nothing;
+    ensures \result.rest < d; */
 static struct slope slope_of(int64_t n, uint64_t d)
 {
     const struct etch_quotient q = etch_divide_u64(n < 0 ? (uint64_t)-n : (uint64_t)n, d);
@@ -36,13 +40,21 @@ static struct slope slope_of(int64_t n, uint64_t d)
 
 /* k * s.rest / d as whole + rest / d, for k < 2^24, bit by bit from the top: rest < D before a
  * step, at most 3 D - 2 < 2^50 in it, below D again after. */
+/*@ requires 1 <= d <= 0x1000000000000;
+    requires s.rest < d;
+    assigns \nothing;
+    ensures \result.rest < d; */
 static struct slope times_rest(struct slope s, uint32_t k, uint64_t d)
 {
     struct slope t = {0, 0};
 
+    /*@ loop invariant t.rest < d;
+        loop assigns t, bit; */
     for (uint32_t bit = UINT32_C(1) << 23; bit != 0; bit >>= 1) {
         t.whole = etch_wrap_add(t.whole, t.whole);
         t.rest = 2 * t.rest + ((k & bit) != 0 ? s.rest : 0);
+        /*@ loop invariant t.rest < 3 * d;
+            loop assigns t; */
         while (t.rest >= d) {
             t.rest -= d;
             t.whole = etch_wrap_add(t.whole, 1);
@@ -52,6 +64,11 @@ static struct slope times_rest(struct slope s, uint32_t k, uint64_t d)
 }
 
 /* k * s as whole + rest / d; |k| <= 2^24. */
+/*@ requires 1 <= d <= 0x1000000000000;
+    requires s.rest < d;
+    requires -0x1000000 <= k <= 0x1000000;
+    assigns \nothing;
+    ensures \result.rest < d; */
 static struct slope times(struct slope s, int32_t k, uint64_t d)
 {
     struct slope t = times_rest(s, (uint32_t)(k < 0 ? -k : k), d);
@@ -67,6 +84,8 @@ static struct slope times(struct slope s, int32_t k, uint64_t d)
     return t;
 }
 
+/*@ requires s.rest < d;
+    assigns \nothing; */
 static uint32_t rounded(struct slope s, uint64_t d)
 {
     return etch_wrap_add(s.whole, s.rest >= d - s.rest ? 1 : 0);
