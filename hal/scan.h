@@ -4,11 +4,11 @@
  * (TE; command 35 00 of most controllers) rises when it begins to rest. A frame tears if one
  * pass shows lines of both the old and the new one: if the write pointer crosses the scan line.
  *
- *      line                                    from the pulse on, with t = period / (lines + blank):
- *      0 |      \        \                     line y is read from (blank + y) t on, for t
+ *      line                              from the pulse on, with t = period / (lines + blank):
+ *      0 |      \        \               line y is read from (blank + y) t on, for t
  *        | .     \   .    \
- *        |   .    \     .  \    \ scan         it is written from
- *        |     .   \       .\   . write           delay + y F / lines on, for F / lines
+ *        |   .    \     .  \    \ scan   it is written from
+ *        |     .   \       .\   . write     delay + y F / lines on, for F / lines
  *   last |       .  \        \.
  *         pulse ^ blank  ^ pulse
  *

@@ -3,26 +3,26 @@
  * An image style is an image (struct etch_image of base/texture.h), a row function and an opacity. Like
  * a paint, the row function is named, so that only what is used is linked; it must fit the image:
  *
- *      image              row function                    what it writes
- *      RGB565             etch_row_rgb565                 the texels
- *                         etch_row_rgb565_key             those that are not palette[0]
- *                         etch_row_rgb565_fade     *      the texels by opacity
- *       + alpha plane     etch_row_rgb565_alpha    *      the texels by alpha and opacity
- *      palette, 8 4 2 1   etch_row_index8 4 2 1           the colours
- *                         etch_row_index8_key ..          those of texels that are not 0
- *                         etch_row_index8_fade ..  *      the colours by opacity
- *      mask, 8 4 bits     etch_row_mask8 4         *      palette[0] by the mask and opacity
- *      1 bit              etch_row_index1_xor             palette[1], exclusive or, where texels are 1:
- *                                                         the same call again takes it away (cursors)
+ *  image              row function                    what it writes
+ *  RGB565             etch_row_rgb565                 the texels
+ *                     etch_row_rgb565_key             those that are not palette[0]
+ *                     etch_row_rgb565_fade     *      the texels by opacity
+ *   + alpha plane     etch_row_rgb565_alpha    *      the texels by alpha and opacity
+ *  palette, 8 4 2 1   etch_row_index8 4 2 1           the colours
+ *                     etch_row_index8_key ..          those of texels that are not 0
+ *                     etch_row_index8_fade ..  *      the colours by opacity
+ *  mask, 8 4 bits     etch_row_mask8 4         *      palette[0] by the mask and opacity
+ *  1 bit              etch_row_index1_xor             palette[1], exclusive or, where texels are 1:
+ *                                                     the same call again takes it away (cursors)
  *
  * Rows marked * blend, and have a twin .._swapped for surfaces in rgb565_swapped. All colours, palettes
  * included, are in the surface's byte order (etch-image -s writes swapped ones); samplers
  * (fragment/sampler.h) want etch_rgb565's always. Opacity is read by rows that blend, 255 is full.
  *
- *      texels    RGB565: uint16_t. 8 bits: a byte. 4, 2, 1 bits: texel row * stride + column, the first
- *                of a byte in its lowest bits (rows need not begin with a byte)
- *      masks     `alpha`, a byte or 4 bits a texel, 255 or 15 full; rgb565_alpha: a byte a texel
- *      colors    and alphas may be NULL if the image is not sampled: then they are not linked
+ *  texels    RGB565: uint16_t. 8 bits: a byte. 4, 2, 1 bits: texel row * stride + column, the first
+ *            of a byte in its lowest bits (rows need not begin with a byte)
+ *  masks     `alpha`, a byte or 4 bits a texel, 255 or 15 full; rgb565_alpha: a byte a texel
+ *  colors    and alphas may be NULL if the image is not sampled: then they are not linked
  *
  * Blending: a = round(alpha opacity / 255), then a channel is (texel a + there (255 - a)) / 255 rounded
  * to the nearest once (there are no ties); a = 0 does not touch the pixel, 255 writes the texel.

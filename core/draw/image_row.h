@@ -1,9 +1,9 @@
 /* draw/image_row.h: the loops that row functions are made from, shipped ones and yours. A line makes one:
  *
- *      ETCH_ROW_COPY(my_row, etch_texel_index8)                     a colour, see fragment/texel.h
- *      ETCH_ROW_KEY(my_row, etch_texel_index8, etch_texel_byte)     .. where the second is not 0
- *      ETCH_ROW_BLEND(my_row, etch_texel_index8, etch_texel_alpha8, false)   .. by alpha and opacity;
- *                                                                   true: byte-swapped surfaces
+ *  ETCH_ROW_COPY(my_row, etch_texel_index8)                     a colour, see fragment/texel.h
+ *  ETCH_ROW_KEY(my_row, etch_texel_index8, etch_texel_byte)     .. where the second is not 0
+ *  ETCH_ROW_BLEND(my_row, etch_texel_index8, etch_texel_alpha8, false)   .. by alpha and opacity;
+ *                                                               true: byte-swapped surfaces
  */
 #ifndef ETCH_DRAW_IMAGE_ROW_H
 #define ETCH_DRAW_IMAGE_ROW_H

@@ -1,8 +1,8 @@
 /* draw/ordering.h: hidden surfaces by an ordering table: triangles drawn from far to near, without
  * a depth plane.
  *
- *      once a frame:      triangles -> &ordering.sink -> the caller's buffer, a bucket for each depth
- *      for every strip:   etch_ordering_draw -> a sink that rasterises
+ *  once a frame:      triangles -> &ordering.sink -> the caller's buffer, a bucket for each depth
+ *  for every strip:   etch_ordering_draw -> a sink that rasterises
  *
  * A triangle has one place in the order, by the mean of its three depths. That is right for small
  * triangles that are apart in depth. It is wrong where a large one reaches over others, and cannot

@@ -7,10 +7,10 @@
  * A brush gives the colours of a part of a row. Which they are depends on the pixel's place in the frame alone,
  * so clips and strips change nothing, and shapes that touch go on in each other.
  *
- *      etch_kernel_brush                 replaces pixels; colours in the surface's byte order
- *      etch_kernel_brush_blend           with an opacity; colours are etch_rgb565's
- *      etch_cover_brush                  the same by the covers of smooth shapes (raster/smooth.h)
- *      etch_source_brush                 in a pipeline of stages (stage.h): every blend and mask there is
+ *  etch_kernel_brush            replaces pixels; colours in the surface's byte order
+ *  etch_kernel_brush_blend      with an opacity; colours are etch_rgb565's
+ *  etch_cover_brush             the same by the covers of smooth shapes (raster/smooth.h)
+ *  etch_source_brush            in a pipeline of stages (stage.h): every blend and mask there is
  *
  * Those called .._swapped are for surfaces in rgb565_swapped.
  */

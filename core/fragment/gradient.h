@@ -1,6 +1,7 @@
 /* fragment/gradient.h: linear and radial gradients as brushes (brush.h).
  *
- *      static const struct etch_stop sky[] = {{0, 20, 40, 120}, {40000, 90, 150, 230}, {65535, 250, 240, 220}};
+ *      static const struct etch_stop sky[] = {
+ *          {0, 20, 40, 120}, {40000, 90, 150, 230}, {65535, 250, 240, 220}};
  *      uint16_t color[64];
  *      struct etch_ramp ramp;
  *      struct etch_gradient_linear down;

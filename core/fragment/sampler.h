@@ -5,20 +5,20 @@
  * Each box is a named function that works on a whole chunk, and a sampler names one of each: what
  * no sampler of a program names is not linked, and every combination works.
  *
- *      format        .colors                .alphas                  texels
- *      RGB565        etch_texels_rgb565     NULL                     uint16_t each
- *       + mask       etch_texels_rgb565     etch_texels_mask         alpha: a byte a texel
- *      palette, 8    etch_texels_index8     NULL                     a byte each, 256 colours
- *       + alpha      etch_texels_index8     etch_texels_alpha8       alpha: a byte a colour
- *      palette, 4    etch_texels_index4     NULL                     16 colours, two texels a byte:
- *       + alpha      etch_texels_index4     etch_texels_alpha4         texel row * stride + column,
- *                                                                      even ones in the low half
- *      palette, 2    etch_texels_index2     NULL                     4 colours, first in low bits
- *      palette, 1    etch_texels_index1     NULL                     2 colours, first in low bits
- *      RGB565, key   etch_texels_rgb565     etch_texels_unlike       transparent: palette[0]; `alpha`
- *                                                                      is not NULL, not read
- *      mask, 8       etch_texels_ink        etch_texels_mask         alpha: a byte a texel; the colour
- *      mask, 4       etch_texels_ink        etch_texels_mask4          palette[0]; `texels` not read
+ *  format        .colors                .alphas                  texels
+ *  RGB565        etch_texels_rgb565     NULL                     uint16_t each
+ *   + mask       etch_texels_rgb565     etch_texels_mask         alpha: a byte a texel
+ *  palette, 8    etch_texels_index8     NULL                     a byte each, 256 colours
+ *   + alpha      etch_texels_index8     etch_texels_alpha8       alpha: a byte a colour
+ *  palette, 4    etch_texels_index4     NULL                     16 colours, two texels a byte:
+ *   + alpha      etch_texels_index4     etch_texels_alpha4         texel row * stride + column,
+ *                                                                  even ones in the low half
+ *  palette, 2    etch_texels_index2     NULL                     4 colours, first in low bits
+ *  palette, 1    etch_texels_index1     NULL                     2 colours, first in low bits
+ *  RGB565, key   etch_texels_rgb565     etch_texels_unlike       transparent: palette[0]; `alpha`
+ *                                                                  is not NULL, not read
+ *  mask, 8       etch_texels_ink        etch_texels_mask         alpha: a byte a texel; the colour
+ *  mask, 4       etch_texels_ink        etch_texels_mask4          palette[0]; `texels` not read
  *
  *      filter        etch_filter_nearest, etch_filter_linear
  *      wrap          etch_texels_repeat, etch_texels_clamp, etch_texels_mirror; faster where the

@@ -3,10 +3,10 @@
  *
  * A row without the pixels whose neighbours above, below, left and right are all in the shape:
  *
- *      above   ..########..
- *      row     .##########.     less  the spans, one pixel shorter at both ends, that are also above
- *      below   ..####..####           and below:  ...###..##..
- *      border  .##...##..##
+ *  above   ..########..
+ *  row     .##########.     less  the spans, one pixel shorter at both ends, that are also above
+ *  below   ..####..####           and below:  ...###..##..
+ *  border  .##...##..##
  */
 #include "rows.h"
 #include "run_band.h"

@@ -3,7 +3,8 @@
  *      static int16_t cover[320 + 1];
  *      const struct etch_cover_flat_paint red = {{etch_cover_flat}, etch_rgb565(230, 60, 50), 255};
  *
- *      etch_smooth_arc(surface, etch_pixel_q8(120, 160), 90 * 256, 70 * 256, 24576, 30000, &red.paint, cover);
+ *      etch_smooth_arc(surface, etch_pixel_q8(120, 160), 90 * 256, 70 * 256, 24576, 30000,
+ *                      &red.paint, cover);
  *
  * A row of pixels is cut by 16 lines, as in smooth.h, and on each the shape is one to three intervals whose ends
  * are worked out from its equation, to 1/256 px, rounded down. The cover of a pixel differs from the true area by

@@ -1,21 +1,21 @@
 /* ports/tools/etch_image.c: etch-image, pictures (PPM, PGM, and PNG where libpng is) to C.
  *
- *      etch-image [OPTIONS] FILE                       lists formats: bytes, and how far they are off
- *      etch-image [OPTIONS] -f FORMAT FILE >FILE.c     writes one
+ *  etch-image [OPTIONS] FILE                       lists formats: bytes, and how far they are off
+ *  etch-image [OPTIONS] -f FORMAT FILE >FILE.c     writes one
  *
- *      -f FORMAT   rgb565 rgb565_key rgb565_alpha index8 index4 index2 index1 (each also .._key)
- *                  mask8 mask4; draw/image.h says what they are
- *      -r          run-length compressed: a struct etch_rle_image (draw/image_rle.h)
- *      -R SHIFT    its table has every 2^SHIFT-th row, 0 .. 15 (3)
- *      -d          dithers colours
- *      -k RRGGBB   pixels of exactly this colour are left out in formats with a key, and so are those
- *                  whose alpha is below 128
- *      -a FILE     takes alpha from how light the pixels of another picture of the same size are
- *      -b RRGGBB   what is behind pixels that are not opaque in formats without alpha (000000)
- *      -c RRGGBB   the colour of a mask (FFFFFF); another one: a copy of the struct with its palette
- *      -s          colours byte-swapped
- *      -t          names the functions for samplers too (fragment/sampler.h)
- *      -n NAME     of the struct (image);  -i PATH  of core in #include (core);  -m COMMENT
+ *  -f FORMAT   rgb565 rgb565_key rgb565_alpha index8 index4 index2 index1 (each also .._key)
+ *              mask8 mask4; draw/image.h says what they are
+ *  -r          run-length compressed: a struct etch_rle_image (draw/image_rle.h)
+ *  -R SHIFT    its table has every 2^SHIFT-th row, 0 .. 15 (3)
+ *  -d          dithers colours
+ *  -k RRGGBB   pixels of exactly this colour are left out in formats with a key, and so are those
+ *              whose alpha is below 128
+ *  -a FILE     takes alpha from how light the pixels of another picture of the same size are
+ *  -b RRGGBB   what is behind pixels that are not opaque in formats without alpha (000000)
+ *  -c RRGGBB   the colour of a mask (FFFFFF); another one: a copy of the struct with its palette
+ *  -s          colours byte-swapped
+ *  -t          names the functions for samplers too (fragment/sampler.h)
+ *  -n NAME     of the struct (image);  -i PATH  of core in #include (core);  -m COMMENT
  *
  * Sizes and errors go to stderr when C is written. A wrong argument or file: status 2, no output. */
 #include <stdlib.h>
