@@ -92,7 +92,7 @@ FORCE:
 
 # ---- tests ----------------------------------------------------------------------------------------
 
-TEST_STEPS  := unit stores golden cli readme features
+TEST_STEPS  := unit stores golden cli readme features extremes
 CHECK_STEPS := test test-clang test32 test-size sanitize uninit symbols includes stack lint
 
 .PHONY: test
@@ -133,6 +133,9 @@ readme: $(LIB) ## the README's program, run against a panel
 .PHONY: features
 features: ## the tables of core/README.md name what there is
 	$(Q)sh tests/tools/features.sh
+.PHONY: extremes
+extremes: ## every extreme of tests/EXTREMES.md has its test
+	$(Q)sh tests/tools/extremes.sh
 
 .PHONY: test-clang test32 test-size
 test-clang: ## the tests with everything compiled by clang
