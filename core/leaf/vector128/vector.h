@@ -60,6 +60,26 @@ ETCH_INLINE vector_u16 vector_upper(vector_u32 a, vector_u32 b)
 }
 #endif
 
+/* Of a mask's lanes, all ones or all zeros, bits 2 i and 2 i + 1 are lane i. Two forms again. */
+#if defined(__SSE2__)
+typedef char vector_bytes __attribute__((vector_size(16)));
+
+ETCH_INLINE uint32_t vector_bits(vector_s16 mask)
+{
+    return (uint32_t)__builtin_ia32_pmovmskb128((vector_bytes)mask);
+}
+#else
+ETCH_INLINE uint32_t vector_bits(vector_s16 mask)
+{
+    const vector_u16 own = {3, 12, 48, 192, 768, 3072, 12288, 49152};
+    const vector_u64 both = (vector_u64)((vector_u16)mask & own);
+    const uint64_t four = both[0] | both[1];
+    const uint32_t two = (uint32_t)(four >> 32 | (four & UINT32_MAX));
+
+    return (two >> 16 | two) & 0xFFFF;
+}
+#endif
+
 /* The first n = 1 .. 8 lanes to p. */
 ETCH_INLINE void vector_store_first(uint16_t *p, vector_u16 v, uint32_t n)
 {
