@@ -15,20 +15,17 @@ static int32_t first(int64_t c, int64_t d, int32_t most)
 /* Keeps of pixels 0 .. *n - 1, from *k on, those where 0 <= c + k d < limit. */
 static void keep(int32_t *k, int32_t *n, int64_t c, int64_t d, int64_t limit)
 {
-    int32_t begin, end;
-
     if (d == 0) {
         if (c < 0 || c >= limit)
             *n = *k;
         return;
     }
-    if (d > 0) {
-        begin = first(c, d, *n);
-        end = first(c - limit, d, *n);
-    } else { /* c + k d < limit from `begin` on, >= 0 up to before `end` */
-        begin = first(limit - 1 - c, -d, *n);
-        end = first(-1 - c, -d, *n);
+    if (d < 0) { /* from the other side: c + k d < limit from `begin` on, >= 0 up to before `end` */
+        c = limit - 1 - c;
+        d = -d;
     }
+    const int32_t begin = first(c, d, *n), end = first(c - limit, d, *n);
+
     *k = begin > *k ? begin : *k;
     *n = end < *n ? end : *n;
 }

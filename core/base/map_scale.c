@@ -12,21 +12,25 @@ static int64_t ratio(int32_t n, int32_t d)
     return (int64_t)etch_divide_u64(up + (uint32_t)d - 1, (uint64_t)d).quotient;
 }
 
+/* One axis: texels from .. to - 1 over `size` pixels from `at` on. Returns the step, and where pixel 0 is. */
+static int64_t axis(int32_t from, int32_t to, int32_t at, int32_t size, int64_t *start)
+{
+    const int64_t step = ratio(to - from, size);
+
+    *start = from * (INT64_C(1) << 32) + ratio(to - from, 2 * size) - step * at;
+    return step;
+}
+
 void etch_map_scale(struct etch_map *map, struct etch_rect from, int16_t x, int16_t y, int16_t w,
                     int16_t h)
 {
-    const int32_t columns = (int32_t)from.x1 - from.x0, rows = (int32_t)from.y1 - from.y0;
-
     if (w <= 0 || h <= 0 || from.x0 < 0 || from.y0 < 0 || etch_rect_is_empty(from)) {
         etch_map_nothing(map);
         return;
     }
-    *map = (struct etch_map){
-        .ux = ratio(columns, w),
-        .vy = ratio(rows, h),
-        .from = from,
-        .bounds = etch_rect_from_size(x, y, w, h),
-    };
-    map->u = from.x0 * (INT64_C(1) << 32) + ratio(columns, 2 * (int32_t)w) - map->ux * x;
-    map->v = from.y0 * (INT64_C(1) << 32) + ratio(rows, 2 * (int32_t)h) - map->vy * y;
+    map->ux = axis(from.x0, from.x1, x, w, &map->u);
+    map->vy = axis(from.y0, from.y1, y, h, &map->v);
+    map->vx = map->uy = 0;
+    map->from = from;
+    map->bounds = etch_rect_from_size(x, y, w, h);
 }

@@ -103,7 +103,8 @@ void etch_image_draw_mapped(const struct etch_surface *s, const struct etch_imag
                             const struct etch_map *map);
 
 /* Its texels `part`, as far as the image has them, stretched over the rectangle (x, y, w, h): pixel i of
- * w shows texel floor((2 i + 1) n / (2 w)) of n, exactly; rows likewise. w or h <= 0 draws nothing. */
+ * w shows texel floor((2 i + 1) n / (2 w)) of n, exactly; rows likewise. w or h <= 0 draws nothing. Costs four
+ * 64-bit divisions a call, and as a mapped image without what that takes for a row's ends. */
 void etch_image_draw_scaled(const struct etch_surface *s, const struct etch_image_style *style,
                             struct etch_rect part, int16_t x, int16_t y, int16_t w, int16_t h);
 

@@ -2,20 +2,17 @@
  * See texture.h. */
 #include "texture_setup.h"
 
-void etch_triangle_perspective(const struct etch_surface *s,
-                               const struct etch_texture_vertex *const v[3],
-                               const struct etch_texture *texture,
-                               const struct etch_perspective_kernels *kernels)
+/* Apart, so that its planes are not on the stack under the affine painter's. */
+static ETCH_APART void perspective(const struct etch_surface *s,
+                                   const struct etch_texture_vertex *const v[3],
+                                   const struct etch_texture *texture,
+                                   const struct etch_perspective_kernels *kernels)
 {
     const struct etch_vertex *const plain[3] = SETUP_PLAIN(v);
     struct etch_perspective_paint paint;
     struct etch_triangle t;
     struct etch_basis b;
 
-    if (v[0]->w == v[1]->w && v[0]->w == v[2]->w) {
-        etch_triangle_texture(s, v, texture, kernels->affine);
-        return;
-    }
     if (!setup_visible(&t, s, plain))
         return;
     const struct etch_basis *const basis = etch_basis_setup(&b, &t) ? &b : NULL;
@@ -26,4 +23,15 @@ void etch_triangle_perspective(const struct etch_surface *s,
                              ? kernels->blocks
                              : kernels->exact;
     etch_triangle_runs(s, &t, &paint.paint);
+}
+
+void etch_triangle_perspective(const struct etch_surface *s,
+                               const struct etch_texture_vertex *const v[3],
+                               const struct etch_texture *texture,
+                               const struct etch_perspective_kernels *kernels)
+{
+    if (v[0]->w == v[1]->w && v[0]->w == v[2]->w)
+        etch_triangle_texture(s, v, texture, kernels->affine);
+    else
+        perspective(s, v, texture, kernels);
 }

@@ -5,15 +5,22 @@
 #include "arc.h"
 #include "arc_part.h"
 
+static struct etch_ring_row circle_at(struct etch_ring *p, int32_t y)
+{
+    const int32_t b = y < p->cy ? p->cy - y : y - p->cy;
+    const int32_t w = etch_disc_half_width(&p->outer, &p->view, b);
+    const int32_t beyond = etch_disc_half_width(&p->inner, &p->view, b + 1);
+    const struct etch_ring_row at = {w, beyond < w ? beyond : w - 1};
+
+    return at;
+}
+
 static void spans(void *shape, int32_t y, struct etch_row *row)
 {
     struct etch_arc_part *const p = shape;
-    const int32_t b = y < p->ring.cy ? p->ring.cy - y : y - p->ring.cy;
-    const int32_t w = etch_oval_width(&p->ring.outer, b);
-    const int32_t beyond = etch_oval_width(&p->ring.inner, b + 1);
-    const struct etch_ring_row at = {w, beyond < w ? beyond : w - 1};
 
-    etch_arc_part_add(p, row, y, at);
+    etch_sector_move(&p->sector, p->ring.cx, y - p->ring.cy);
+    etch_arc_part_add(p, row, circle_at(&p->ring, y));
 }
 
 void etch_arc_line_runs(const struct etch_surface *s, int16_t cx, int16_t cy, int16_t r,
@@ -21,7 +28,7 @@ void etch_arc_line_runs(const struct etch_surface *s, int16_t cx, int16_t cy, in
 {
     struct etch_arc_part p;
 
-    if (etch_arc_part_init(&p, cx, cy, r, -1, from, sweep, etch_rows_seen(s))) {
+    if (etch_arc_part_init(&p, cx, cy, r, -1, from, sweep, etch_rows_seen(s), s->clip.y0)) {
         const struct etch_rows rows = etch_ring_rows(&p.ring, &p, spans);
 
         p.ring.inner = p.ring.outer;

@@ -8,7 +8,8 @@ void etch_arc_outline_runs(const struct etch_surface *s, int16_t cx, int16_t cy,
 {
     struct etch_arc_part p;
 
-    if (etch_arc_part_init(&p, cx, cy, outer, inner, from, sweep, etch_rows_known(s))) {
+    if (etch_arc_part_init(&p, cx, cy, outer, inner, from, sweep, etch_rows_known(s),
+                           s->clip.y0 - 1)) {
         const struct etch_rows rows = etch_ring_rows(&p.ring, &p, etch_arc_spans);
 
         etch_rows_outline(s, &rows, paint);

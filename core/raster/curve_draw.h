@@ -5,7 +5,7 @@
 #include "curve.h"
 
 /* Points that wait to be drawn as one polyline. */
-#define ETCH_CURVE_PEN 33
+#define ETCH_CURVE_PEN 17
 
 struct etch_curve_pen {
     const struct etch_surface *surface;

@@ -4,7 +4,6 @@
  * stretch of s s numbers: where to go on is a sum, and nothing is kept on a stack. */
 #include "implicit.h"
 #include "rect.h"
-#include "run_band.h"
 
 enum {
     TILE = 32,
@@ -70,25 +69,42 @@ static void ask_tile(const struct etch_implicit *shape, struct etch_rect tile,
     }
 }
 
+/* Takes the first run of set bits out of the word. Empty where there is none. */
+static struct etch_run take_run(uint32_t *bits, int16_t x)
+{
+    struct etch_run run = {x, x};
+
+    if (*bits == 0)
+        return run;
+    for (uint32_t b = *bits; (b & 1) == 0; b >>= 1)
+        run.x0++;
+    run.x1 = run.x0;
+    for (uint32_t b = *bits >> (run.x0 - x); (b & 1) != 0; b >>= 1)
+        run.x1++;
+    *bits = run.x1 - x < TILE ? *bits & ~((UINT32_C(1) << (run.x1 - x)) - 1) : 0;
+    return run;
+}
+
+/* The first runs of all rows, then the second ones, .. as run_band.h. */
 static void draw_tile(const struct etch_surface *surface, const struct etch_implicit *shape,
                       struct etch_rect tile, const struct etch_paint *paint)
 {
-    struct etch_run_band band;
+    struct etch_run run[ETCH_RUN_BLOCK];
     uint32_t inside[TILE];
+    bool any;
 
     for (uint8_t i = 0; i < TILE; i++)
         inside[i] = 0;
     ask_tile(shape, tile, inside);
-    etch_run_band_init(&band, surface, paint);
-    for (int16_t y = tile.y0; y < tile.y1; y++) {
-        uint32_t left = inside[y - tile.y0];
-
-        for (int32_t x = tile.x0; left != 0; x++, left >>= 1)
-            if ((left & 1) != 0)
-                etch_run_band_add(&band, y, x, x + 1);
-        etch_run_band_row(&band, y);
-    }
-    etch_run_band_flush(&band);
+    do {
+        any = false;
+        for (uint8_t i = 0; i < tile.y1 - tile.y0; i++) {
+            any |= inside[i] != 0;
+            run[i] = take_run(&inside[i], tile.x0);
+        }
+        if (any)
+            paint->kernel(surface, tile.y0, run, (uint8_t)(tile.y1 - tile.y0), paint);
+    } while (any);
 }
 
 /* A row of tiles; those side by side that are inside are drawn as one. */

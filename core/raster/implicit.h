@@ -51,7 +51,7 @@ ETCH_INLINE enum etch_implicit_side etch_implicit_side_bounds(int32_t least, int
 }
 
 /* Hands the runs inside surface->clip to the paint, each pixel once, in rows of tiles from top to
- * bottom, each from left to right. A tile of which nothing is known keeps 32 words on the stack. */
+ * bottom, each from left to right. A tile of which nothing is known keeps 64 words on the stack. */
 void etch_implicit_runs(const struct etch_surface *surface, const struct etch_implicit *shape,
                         const struct etch_paint *paint);
 

@@ -26,110 +26,109 @@ bool etch_oval_init(struct etch_oval *o, int32_t x0, int32_t x1, int32_t rx, int
     o->right = rx == ry ? 1 : (uint32_t)ry * (uint32_t)ry;
     o->least = near > 0 ? near - 1 : 0;
     o->most = far < 0 ? 0 : far + 1 < rx ? far + 1 : rx;
-    o->b = -2; /* no row, and next to none */
     return true;
 }
 
-static void place(struct etch_oval *o, int32_t a, int32_t b)
+static void place(const struct etch_oval *o, struct etch_oval_edge *e, int32_t a, int32_t b)
 {
     const int64_t down = o->down, right = o->right, whole = 4 * down * (o->ry * o->ry);
     const int64_t up = etch_mul_s32(2 * b - 1, 2 * b - 1),
                   left = etch_mul_s32(2 * a - 1, 2 * a - 1);
 
-    o->w = a;
-    o->b = b;
-    o->f = down * up - whole + 4 * right * (a * a);
-    o->g = 4 * down * (b * b) - whole + right * left;
-    o->f_right = 8 * right * a;
-    o->f_down = 8 * down * b;
+    e->w = a;
+    e->b = b;
+    e->f = down * up - whole + 4 * right * (a * a);
+    e->g = 4 * down * (b * b) - whole + right * left;
+    e->f_right = 8 * right * a;
+    e->f_down = 8 * down * b;
 }
 
-static bool is_inside(const struct etch_oval *o)
+static bool is_inside(const struct etch_oval_edge *e)
 {
-    return o->f <= 0 || o->g <= 0;
+    return e->f <= 0 || e->g <= 0;
 }
 
 /* The largest w between the limits that is inside, or the least. */
-static void find(struct etch_oval *o, int32_t b)
+static void find(const struct etch_oval *o, struct etch_oval_edge *e, int32_t b)
 {
     int32_t low = o->least, high = o->most;
 
     while (low < high) {
         const int32_t middle = (low + high + 1) / 2;
 
-        place(o, middle, b);
-        if (is_inside(o))
+        place(o, e, middle, b);
+        if (is_inside(e))
             low = middle;
         else
             high = middle - 1;
     }
-    place(o, low, b);
+    place(o, e, low, b);
 }
 
-static void step_down(struct etch_oval *o)
+static void step_down(const struct etch_oval *o, struct etch_oval_edge *e)
 {
     const int64_t four = 4 * (int64_t)o->down;
 
-    o->f += o->f_down;
-    o->f_down += four;
-    o->g += o->f_down;
-    o->f_down += four;
-    o->b++;
+    e->f += e->f_down;
+    e->f_down += four;
+    e->g += e->f_down;
+    e->f_down += four;
+    e->b++;
 }
 
-static void step_up(struct etch_oval *o)
+static void step_up(const struct etch_oval *o, struct etch_oval_edge *e)
 {
     const int64_t four = 4 * (int64_t)o->down;
 
-    o->f_down -= four;
-    o->g -= o->f_down;
-    o->f_down -= four;
-    o->f -= o->f_down;
-    o->b--;
+    e->f_down -= four;
+    e->g -= e->f_down;
+    e->f_down -= four;
+    e->f -= e->f_down;
+    e->b--;
 }
 
 /* Where a step down led out, back inside. */
-static void shrink(struct etch_oval *o)
+static void shrink(const struct etch_oval *o, struct etch_oval_edge *e)
 {
     const int64_t four = 4 * (int64_t)o->right;
 
-    while (o->w > o->least && !is_inside(o)) {
-        o->f_right -= four;
-        o->f -= o->f_right;
-        o->f_right -= four;
-        o->g -= o->f_right;
-        o->w--;
+    while (e->w > o->least && !is_inside(e)) {
+        e->f_right -= four;
+        e->f -= e->f_right;
+        e->f_right -= four;
+        e->g -= e->f_right;
+        e->w--;
     }
 }
 
-static void grow(struct etch_oval *o)
+static void grow(const struct etch_oval *o, struct etch_oval_edge *e)
 {
     const int64_t four = 4 * (int64_t)o->right;
 
-    while (o->w < o->most) {
-        const int64_t g = o->g + o->f_right, f = o->f + o->f_right + four;
+    while (e->w < o->most) {
+        const int64_t g = e->g + e->f_right, f = e->f + e->f_right + four;
 
         if (f > 0 && g > 0)
             break;
-        o->f = f;
-        o->g = g;
-        o->f_right += 2 * four;
-        o->w++;
+        e->f = f;
+        e->g = g;
+        e->f_right += 2 * four;
+        e->w++;
     }
 }
 
-int32_t etch_oval_width(struct etch_oval *o, int32_t b)
+int32_t etch_oval_width(const struct etch_oval *o, struct etch_oval_edge *e, int32_t b)
 {
     if (b > o->ry)
         return -1;
-    if (b == o->b + 1) {
-        step_down(o);
-        shrink(o);
-    } else if (b == o->b - 1) {
-        step_up(o);
-        grow(o);
-    } else if (b != o->b) {
-        find(o, b);
+    if (b == e->b + 1) {
+        step_down(o, e);
+        shrink(o, e);
+    } else if (b == e->b - 1) {
+        step_up(o, e);
+        grow(o, e);
+    } else if (b != e->b) {
+        find(o, e, b);
     }
-    return o->w;
+    return e->w;
 }

@@ -9,11 +9,14 @@
 
 #include "rows.h"
 
-/* Half the widths of the rows 0 .. ry, kept for one row and moved to the next. */
 struct etch_oval {
     int32_t rx, ry;       /* 0 .. 32767 */
     uint32_t down, right; /* rx^2 and ry^2; 1 and 1 of a circle */
     int32_t least, most;  /* widths are held to these: what is beyond cannot be seen */
+};
+
+/* Half the width of one row 0 .. ry, to be moved to the next. */
+struct etch_oval_edge {
     int32_t w, b;
     int64_t f, g;            /* of (w, b), see oval.c */
     int64_t f_right, f_down; /* what they grow by */
@@ -24,7 +27,13 @@ struct etch_oval {
 bool etch_oval_init(struct etch_oval *o, int32_t x0, int32_t x1, int32_t rx, int32_t ry,
                     struct etch_span view);
 
+/* On no row yet, and next to none. */
+ETCH_INLINE void etch_oval_edge_init(struct etch_oval_edge *e)
+{
+    e->b = -2;
+}
+
 /* w(b) for b >= 0, -1 beyond ry. To the next row by sums, elsewhere by 15 halvings. */
-int32_t etch_oval_width(struct etch_oval *o, int32_t b);
+int32_t etch_oval_width(const struct etch_oval *o, struct etch_oval_edge *e, int32_t b);
 
 #endif

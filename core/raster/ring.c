@@ -2,22 +2,20 @@
 #include "ring.h"
 #include "arc.h"
 
-bool etch_ring_init(struct etch_ring *p, int16_t cx, int16_t cy, int32_t outer, int32_t inner,
-                    struct etch_span view)
+bool etch_ring_init_radii(struct etch_ring *p, int32_t outer, int32_t inner)
 {
-    p->cx = cx;
-    p->cy = cy;
-    p->has_hole = etch_oval_init(&p->inner, cx, cx, inner, inner, view);
-    return inner < outer && etch_oval_init(&p->outer, cx, cx, outer, outer, view);
+    if (!etch_disc_half_init(&p->inner, &p->view, inner))
+        p->inner.r = -1;
+    return inner < outer && etch_disc_half_init(&p->outer, &p->view, outer);
 }
 
 struct etch_ring_row etch_ring_at(struct etch_ring *p, int32_t y)
 {
     const int32_t b = y < p->cy ? p->cy - y : y - p->cy;
-    const struct etch_ring_row r = {etch_oval_width(&p->outer, b),
-                                    p->has_hole ? etch_oval_width(&p->inner, b) : -1};
+    const struct etch_ring_row at = {etch_disc_half_width(&p->outer, &p->view, b),
+                                     etch_disc_half_width(&p->inner, &p->view, b)};
 
-    return r;
+    return at;
 }
 
 void etch_ring_spans(void *shape, int32_t y, struct etch_row *row)

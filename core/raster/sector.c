@@ -15,9 +15,9 @@
 #define FAR (INT32_C(1) << 28) /* beyond every column, from every centre */
 
 /* floor(dx b / dy) and the remainder. */
-static int64_t ray_at(const struct etch_sector_ray *r, int32_t b, int32_t *e)
+static int64_t ray_at(const struct etch_sector_ray *r, int32_t dx, int32_t b, int32_t *e)
 {
-    const int64_t n = etch_mul_s32(r->dx, b);
+    const int64_t n = etch_mul_s32(dx, b);
     const struct etch_quotient q = etch_divide_u64((uint64_t)(n < 0 ? -n : n), (uint64_t)r->dy);
     const int32_t rest = (int32_t)q.remainder;
 
@@ -25,23 +25,20 @@ static int64_t ray_at(const struct etch_sector_ray *r, int32_t b, int32_t *e)
     return n < 0 ? -(int64_t)q.quotient - (rest != 0) : (int64_t)q.quotient;
 }
 
-static void ray_init(struct etch_sector_ray *r, uint16_t angle, int32_t stride)
+/* True if what is clockwise of it is on the left. */
+static bool ray_init(struct etch_sector_ray *r, uint16_t angle, int32_t first, uint8_t stride)
 {
     const uint32_t a = angle;
     const bool up = a == 0 || a > 32768;
     const uint16_t down = (uint16_t)((up ? a + 32768 : a) & 65535); /* above 0, up to half a turn */
+    const int32_t dx = etch_cos_q30(down);
 
-    r->dx = etch_cos_q30(down);
     r->dy = etch_sin_q30(down);
-    r->clockwise_is_left = !up;
-    if (r->dy != 0)
-        r->quotient = (int32_t)ray_at(r, stride, &r->remainder);
-}
-
-static void ray_place(struct etch_sector_ray *r, int32_t b)
-{
-    if (r->dy != 0)
-        r->x = ray_at(r, b, &r->e);
+    if (r->dy != 0) {
+        r->quotient = (int32_t)ray_at(r, dx, stride, &r->remainder);
+        r->x = ray_at(r, dx, first, &r->e);
+    }
+    return !up;
 }
 
 static void ray_step(struct etch_sector_ray *r)
@@ -66,57 +63,47 @@ static int32_t ray_cut(const struct etch_sector_ray *r, int32_t b)
     return cut < -FAR ? -FAR : cut > FAR ? FAR : (int32_t)cut;
 }
 
-static void place(struct etch_sector *s, int32_t b)
-{
-    if (b == s->b + s->stride) {
-        ray_step(&s->first);
-        ray_step(&s->last);
-    } else {
-        ray_place(&s->first, b);
-        ray_place(&s->last, b);
-    }
-    s->b = b;
-}
-
-void etch_sector_init(struct etch_sector *s, uint16_t from, uint32_t sweep, int32_t stride)
+void etch_sector_init(struct etch_sector *s, uint16_t from, uint32_t sweep, int32_t first,
+                      uint8_t stride)
 {
     const uint16_t to = (uint16_t)((from + (sweep & 65535)) & 65535);
 
-    s->all = sweep >= 65536;
     s->inverted = sweep > 32768;
-    ray_init(&s->first, s->inverted ? to : from, stride);
-    ray_init(&s->last, s->inverted ? from : to, stride);
-    s->b = -FAR;
+    s->first_is_left = ray_init(&s->first, s->inverted ? to : from, first, stride);
+    s->last_is_left = ray_init(&s->last, s->inverted ? from : to, first, stride);
+    s->b = first;
     s->stride = stride;
 }
 
-void etch_sector_add(struct etch_sector *s, struct etch_row *row, int32_t cx, int32_t b, int32_t x0,
-                     int32_t x1)
+void etch_sector_move(struct etch_sector *s, int32_t cx, int32_t b)
 {
     int32_t low = -FAR, high = FAR, cut;
 
-    if (s->all) {
-        etch_row_add(row, x0, x1);
-        return;
+    for (; s->b < b; s->b += s->stride) {
+        ray_step(&s->first);
+        ray_step(&s->last);
     }
-    if (b != s->b)
-        place(s, b);
     cut = ray_cut(&s->first, b);
-    if (s->first.clockwise_is_left)
+    if (s->first_is_left)
         high = cut;
     else
         low = cut;
     cut = ray_cut(&s->last, b);
-    if (s->last.clockwise_is_left)
+    if (s->last_is_left)
         low = cut > low ? cut : low;
     else
         high = cut < high ? cut : high;
-    low += cx, high += cx;
-    if (s->inverted && low < high) {
-        etch_row_add(row, x0, low < x1 ? low : x1);
-        etch_row_add(row, high > x0 ? high : x0, x1);
-    } else if (!s->inverted) {
-        etch_row_add(row, low > x0 ? low : x0, high < x1 ? high : x1);
+    s->low = low + cx;
+    s->high = high + cx;
+}
+
+void etch_sector_add(const struct etch_sector *s, struct etch_row *row, int32_t x0, int32_t x1)
+{
+    if (!s->inverted) {
+        etch_row_add(row, s->low > x0 ? s->low : x0, s->high < x1 ? s->high : x1);
+    } else if (s->low < s->high) {
+        etch_row_add(row, x0, s->low < x1 ? s->low : x1);
+        etch_row_add(row, s->high > x0 ? s->high : x0, x1);
     } else {
         etch_row_add(row, x0, x1);
     }

@@ -10,13 +10,13 @@ struct part {
 static void line(void *shape, int32_t y, struct etch_row *row)
 {
     struct part *const p = shape;
-    const int32_t x = p->ring.centre.x, b = y - p->ring.centre.y;
     struct etch_ring_line at;
 
     if (!etch_smooth_ring_line(&p->ring, y, &at))
         return;
-    etch_sector_add(&p->sector, row, x, b, at.x0, at.x1);
-    etch_sector_add(&p->sector, row, x, b, at.x2, at.x3);
+    etch_sector_move(&p->sector, p->ring.centre.x, y - p->ring.centre.y);
+    etch_sector_add(&p->sector, row, at.x0, at.x1);
+    etch_sector_add(&p->sector, row, at.x2, at.x3);
 }
 
 void etch_smooth_arc(const struct etch_surface *s, struct etch_point_q8 centre, int32_t outer,
@@ -30,9 +30,9 @@ void etch_smooth_arc(const struct etch_surface *s, struct etch_point_q8 centre, 
     p.ring.centre = centre;
     p.ring.outer = outer;
     p.ring.inner = inner;
-    etch_sector_init(&p.sector, from, sweep, 16);
 
     const struct etch_smooth_lines lines = etch_smooth_ring_lines(&p.ring, &p, line);
 
+    etch_sector_init(&p.sector, from, sweep, etch_smooth_lines_first(s, &lines) - centre.y, 16);
     etch_smooth_lines_fill(s, &lines, paint, cover);
 }

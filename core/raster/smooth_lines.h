@@ -13,6 +13,15 @@ struct etch_smooth_lines {
     int32_t top, bottom; /* what lies beyond these heights covers nothing */
 };
 
+/* The first line that is asked; of a shape that is seen. */
+ETCH_INLINE int32_t etch_smooth_lines_first(const struct etch_surface *s,
+                                            const struct etch_smooth_lines *lines)
+{
+    const int32_t top = lines->top >> 8;
+
+    return (top > s->clip.y0 ? top : s->clip.y0) * INT32_C(256) + 8;
+}
+
 void etch_smooth_lines_fill(const struct etch_surface *s, const struct etch_smooth_lines *lines,
                             const struct etch_cover_paint *paint, int16_t *cover);
 

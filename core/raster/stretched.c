@@ -7,7 +7,8 @@ bool etch_stretched_init(struct etch_stretched *p, const struct etch_surface *s,
 {
     if (!etch_oval_init(&p->oval, p->x0, p->x1, rx, ry, etch_rows_seen(s)))
         return false;
-    p->outer = p->oval;
+    etch_oval_edge_init(&p->edge);
+    etch_oval_edge_init(&p->outer);
     return true;
 }
 
@@ -35,7 +36,7 @@ static int32_t off(const struct etch_stretched *p, int32_t y)
 static void inside(void *shape, int32_t y, struct etch_row *row)
 {
     struct etch_stretched *const p = shape;
-    const int32_t w = etch_oval_width(&p->oval, off(p, y));
+    const int32_t w = etch_oval_width(&p->oval, &p->edge, off(p, y));
 
     etch_row_add(row, p->x0 - w, p->x1 + w + 1);
 }
@@ -44,8 +45,8 @@ static void inside(void *shape, int32_t y, struct etch_row *row)
 static void border(void *shape, int32_t y, struct etch_row *row)
 {
     struct etch_stretched *const p = shape;
-    const int32_t b = off(p, y), w = etch_oval_width(&p->oval, b);
-    const int32_t beyond = y > p->y0 && y < p->y1 ? w : etch_oval_width(&p->outer, b + 1);
+    const int32_t b = off(p, y), w = etch_oval_width(&p->oval, &p->edge, b);
+    const int32_t beyond = y > p->y0 && y < p->y1 ? w : etch_oval_width(&p->oval, &p->outer, b + 1);
     const int32_t hole = beyond < w ? beyond : w - 1;
 
     if (beyond < 0) {

@@ -15,7 +15,8 @@
 struct etch_stretched {
     int32_t x0, y0, x1, y1; /* inclusive */
     struct etch_oval oval;
-    struct etch_oval outer; /* the same, of the row further from the centre; read by outlines */
+    struct etch_oval_edge edge;
+    struct etch_oval_edge outer; /* of the row further from the centre; moved by outlines */
 };
 
 /* False if nothing of it can be seen: w or h of the box below 1, a radius below 0, or beside the clip. */

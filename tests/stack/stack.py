@@ -9,7 +9,8 @@ function. The whole is the greater of `alone` and `under` + the given function's
 
 A call through a pointer is looked up by the last name of the expression that is called. POINTERS says
 what may stand there: USER, a function of the caller's; else those of a function type, or those whose
-names fit, of which the deepest counts. A pointer that no list knows is an error, so that nothing new
+names fit, of which the deepest counts. A name with a file in front is of the calls in that file; a table
+says by callers what these put there, and a caller that it does not know any of that. A pointer that no list knows is an error, so that nothing new
 goes uncounted. A function stands on the stack once, or as often as RECURSION says. libgcc's division
 takes LIBGCC bytes at most and may be called by any function: it is in every figure.
 
@@ -32,6 +33,13 @@ POINTERS = {  # name: USER, a function type, or names of functions
     "operation": USER, "pause": USER, "flush": USER, "wait": USER, "sync": USER, "memory": USER,
     "start": USER, "next": USER, "kern": USER, "take": USER, "enter": USER, "leave": USER,
     "signal": USER, "cap": USER, "join": USER, "edge": USER, "inner": USER, "record": USER, "decode": USER, "runs": USER,
+    "core/draw/*:row": USER,
+    "core/raster/rows*:row": {"etch_stretched_*": ["core/raster/stretched.c:*"], "etch_ring_*": ["etch_ring_spans"],
+                              "etch_arc_line_*": ["core/raster/arc_line.c:*"], "etch_arc_*": ["etch_arc_spans"]},
+    "core/raster/smooth_lines.c:line": {
+        "etch_smooth_arc": ["core/raster/smooth_arc.c:line"], "etch_smooth_line_*": ["core/raster/smooth_line_round.c:line"],
+        "etch_smooth_round_*": ["core/raster/smooth_round_rect.c:inside", "core/raster/smooth_round_rect.c:frame"],
+        "etch_smooth_*": ["core/raster/smooth_ring.c:line"]},
     "copy": ["core/draw/rle_*.c:*"], "row": "etch_polygon_row", "span": "etch_span", "side": ["etch_implicit_side_*"],
 }
 RECURSION = {"draw_tile": 8}
@@ -40,7 +48,7 @@ RECURSION = {"draw_tile": 8}
 class Graph:
     def __init__(self, names):
         """From these .ci files."""
-        self.frame, self.calls = {}, {}
+        self.frame, self.calls, self.by_caller = {}, {}, set()
         for name in names:
             with open(name, encoding="utf8") as f:
                 text = f.read()
@@ -48,9 +56,12 @@ class Graph:
                 if m[3] != "static":
                     sys.exit(f"{m[1]}: the size of its frame is not constant")
                 self.frame[m[1]] = int(m[2])
-            for m in re.finditer(r'edge: \{ sourcename: "([^"]+)" targetname: "([^"]+)" label: "([^"]+)"',
-                                 text):
-                self.calls.setdefault(m[1], set()).add((m[2], m[3]))
+            edges = re.findall(r'edge: \{ sourcename: "([^"]+)" targetname: "([^"]+)"'
+                               r'(?: label: "([^"]+)")? \}', text)
+            if len(edges) != text.count("edge: {"):
+                sys.exit(f"{name}: not all calls could be read")
+            for source, target, place in edges:  # a call of what gcc split off has no place
+                self.calls.setdefault(source, set()).add((target, place))
         if not self.frame:
             sys.exit("no call graphs")
         self.source = {f: open(f, encoding="utf8").read() for f in
@@ -81,22 +92,29 @@ class Graph:
         m = re.match(r"\W*(\w+)\)?\(", text) or re.search(r"(?:->|\.)(\w+)\(", text)
         return m[1] if m else sys.exit(f"{place}: a call that cannot be read: {text}")
 
-    def pointer(self, place):
-        """The functions of an indirect call, or USER."""
-        name = self.called(place)
+    def pointer(self, place, way):
+        """The functions of an indirect call, or USER; `way` leads there."""
+        name, path = self.called(place), place.split(":")[0]
         if name not in POINTERS:
             sys.exit(f"{place}: a call through an unknown pointer, {name}")
-        what = self.chosen.get(name, POINTERS[name])
+        here = [v for k, v in POINTERS.items() if ":" in k and fnmatch.fnmatch(f"{path}:{name}", k)]
+        what = here[0] if here else POINTERS[name]
+        if not here or what == USER:
+            what = self.chosen.get(name, what)
+        if isinstance(what, dict):
+            self.by_caller.add(way[-1])
+            fits = [v for k, v in what.items() if any(fnmatch.fnmatch(f, k) for f in way)]
+            what = fits[0] if fits else sum(what.values(), [])
         if what == USER:
             return [USER]
         if isinstance(what, str):
             return self.of_type(what)
         return [f for p in what for f in self.named(p)]
 
-    def callees(self, name):
+    def callees(self, way):
         found = set()
-        for target, place in self.calls.get(name, []):
-            found |= set(self.pointer(place)) if target == "__indirect_call" else {target}
+        for target, place in self.calls.get(way[-1], []):
+            found |= set(self.pointer(place, way)) if target == "__indirect_call" else {target}
         return sorted(found)
 
     def depth(self, name, path=()):
@@ -108,11 +126,12 @@ class Graph:
         if name in self.known:
             return self.known[name]
         frame, alone, under, way = self.frame[name], 0, 0, ()
-        for a, u, w in (self.depth(c, path + (name,)) for c in self.callees(name)):
+        for a, u, w in (self.depth(c, path + (name,)) for c in self.callees(path + (name,))):
             under = max(under, u)
             alone, way = max((alone, way), (a, w))
         result = frame + alone, under and frame + under, (name,) + way
-        if not any(p in RECURSION for p in (f.split(":")[-1] for f in path + (name,))):
+        if name not in self.by_caller and \
+                not any(p in RECURSION for p in (f.split(":")[-1] for f in path + (name,))):
             self.known[name] = result
         return result
 
