@@ -1,6 +1,6 @@
-/* tests/product: the climate of a room, as a chart that scrolls: two smooth lines with a legend, one with its area
- * filled, a grid with times that move along, cards with the latest values, a choice of spans. See
- * product.h. */
+/* tests/product: the climate of a room, as a chart that scrolls: two smooth lines with a legend,
+ * one with its area filled, a grid with times that move along, cards with the latest values, a
+ * choice of spans. See product.h. */
 #include "plot.h"
 #include "product.h"
 
@@ -51,7 +51,8 @@ static void draw_times(const struct etch_surface *s)
     }
 }
 
-/* ---- around it ----------------------------------------------------------------------------------- */
+/* ---- around it
+ * ----------------------------------------------------------------------------------- */
 
 static void card(const struct etch_surface *s, struct etch_rect r)
 {

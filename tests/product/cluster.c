@@ -1,5 +1,6 @@
-/* tests/product: the instrument cluster of an electric motorcycle: speed on a dial with a needle and in
- * digits, charge and motor temperature on small dials, telltales, distances. See product.h. */
+/* tests/product: the instrument cluster of an electric motorcycle: speed on a dial with a needle
+ * and in digits, charge and motor temperature on small dials, telltales, distances. See
+ * product.h. */
 #include "parts.h"
 #include "product.h"
 

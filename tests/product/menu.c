@@ -1,6 +1,6 @@
-/* tests/product: the menu of a room controller, glass over a photo: the photo in flash at half the size,
- * scaled up bilinear on the fly; panes of 8-bit opacity with rounded corners, symbols from smooth shapes,
- * a selection that moves. See product.h. */
+/* tests/product: the menu of a room controller, glass over a photo: the photo in flash at half
+ * the size, scaled up bilinear on the fly; panes of 8-bit opacity with rounded corners, symbols
+ * from smooth shapes, a selection that moves. See product.h. */
 #include "parts.h"
 #include "product.h"
 

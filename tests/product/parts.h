@@ -50,7 +50,8 @@ uint16_t color_of(uint32_t rgb); /* etch_rgb565 */
 /* Covers of one row, for raster/smooth.h. */
 extern int16_t cover_row[];
 
-/* The place `radius_q4` sixteenths of a pixel from the middle of pixel (cx, cy), in the direction `angle`. */
+/* The place `radius_q4` sixteenths of a pixel from the middle of pixel (cx, cy), in the
+ * direction `angle`. */
 struct etch_point_q8 polar(int16_t cx, int16_t cy, int32_t radius_q4, uint16_t angle);
 
 /* A corner or an edge in whole pixels: 0 is the left edge of pixel 0. */
@@ -81,8 +82,8 @@ void shape(const struct etch_surface *s, const struct etch_point_q8 *v, uint16_t
 void text(const struct etch_surface *s, const struct etch_font *font, uint32_t rgb, int16_t x,
           int16_t y, enum etch_align align, const char *string);
 
-/* Decimal digits of value / 10^decimals, blanks between thousands, `unit` behind; NUL-terminated, at
- * most 23 characters. Returns `to`. */
+/* Decimal digits of value / 10^decimals, blanks between thousands, `unit` behind;
+ * NUL-terminated, at most 23 characters. Returns `to`. */
 char *number(char to[24], int32_t value, uint8_t decimals, const char *unit);
 
 #endif

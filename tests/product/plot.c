@@ -1,4 +1,5 @@
-/* tests/product: the chart's plot: samples, and the lines through them. chart.c calls it. See plot.h. */
+/* tests/product: the chart's plot: samples, and the lines through them. chart.c calls it. See
+ * plot.h. */
 #include "plot.h"
 
 #include "core/base/trig.h"

@@ -1,8 +1,9 @@
-/* tests/product: the plot of chart.c: two series of samples that scroll, and the lines through them.
+/* tests/product: the plot of chart.c: two series of samples that scroll, and the lines through
+ * them.
  *
- * A thick line through all samples would take some 300 edges, 13 KB. Clips change no pixel, so the line is drawn
- * in slices of 24 columns, and within a strip only edges that cross its rows are kept: 128 edges, 5.6 KB,
- * are enough, for every height of strips. */
+ * A thick line through all samples would take some 300 edges, 13 KB. Clips change no pixel, so
+ * the line is drawn in slices of 24 columns, and within a strip only edges that cross its rows
+ * are kept: 128 edges, 5.6 KB, are enough, for every height of strips. */
 #ifndef TESTS_PRODUCT_PLOT_H
 #define TESTS_PRODUCT_PLOT_H
 

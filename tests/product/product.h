@@ -1,11 +1,11 @@
-/* tests/product: three screens as a product would ship, on a panel of 240 x 320 in strips of 16 rows,
- * within 24 KB of RAM in all.
+/* tests/product: three screens as a product would ship, on a panel of 240 x 320 in strips of 16
+ * rows, within 24 KB of RAM in all.
  *
  *      prepare(tick)   once a frame: what the sensors say at this time
  *      draw(surface)   once a strip: the whole screen; all that is outside the strip is clipped
  *
- * Surfaces are in the byte order of SPI panels, high byte first. The screens keep their state and their
- * scratch memory in statics, as firmware with one display does. */
+ * Surfaces are in the byte order of SPI panels, high byte first. The screens keep their state
+ * and their scratch memory in statics, as firmware with one display does. */
 #ifndef TESTS_PRODUCT_H
 #define TESTS_PRODUCT_H
 

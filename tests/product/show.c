@@ -1,9 +1,10 @@
-/* tests/product: show SCREEN TICK FRAME: runs a screen as firmware does, through the frame loop in two
- * strips of 16 rows and the driver of an ILI9341, to a simulated panel that decodes the bytes of the bus,
- * and writes what its glass shows to FRAME.png, and as big-endian RGB565 to FRAME.565.
+/* tests/product: show SCREEN TICK FRAME: runs a screen as firmware does, through the frame loop
+ * in two strips of 16 rows and the driver of an ILI9341, to a simulated panel that decodes the
+ * bytes of the bus, and writes what its glass shows to FRAME.png, and as big-endian RGB565 to
+ * FRAME.565.
  *      show all: every screen at many ticks.
- * Fails if the panel refuses a byte, or if the frame drawn whole, or in strips of other heights, is
- * another one. */
+ * Fails if the panel refuses a byte, or if the frame drawn whole, or in strips of other heights,
+ * is another one. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,5 @@
-/* tests/product: the symbols of the menu, about 20 pixels high round pixel corner (x, y), from smooth
- * shapes. */
+/* tests/product: the symbols of the menu, about 20 pixels high round pixel corner (x, y), from
+ * smooth shapes. */
 #ifndef TESTS_PRODUCT_SYMBOLS_H
 #define TESTS_PRODUCT_SYMBOLS_H
 
