@@ -1,14 +1,17 @@
 /* tests/oracle: what Adafruit GFX and TFT_eSPI say their shapes are, one pixel at a time on the
- * window of a canvas. Written from their documented conventions: ends and edges are drawn, a
+ * window of a frame. Written from their documented conventions: ends and edges are drawn, a
  * circle of radius r is 2 r + 1 pixels wide, a triangle's rows go from edge to edge, rounded
  * towards the upper end. */
 #ifndef TESTS_ORACLE_GFX_H
 #define TESTS_ORACLE_GFX_H
 
-#include "tests/harness/canvas.h"
+#include "core/base/rect.h"
 
-/* Forgets all; pixels are those of this canvas from now on. */
-void oracle_gfx_open(const struct test_canvas *canvas);
+/* Forgets all: a window of at most 64 x 48 in one colour, of which `clip` may be written. */
+void oracle_gfx_open(struct etch_rect window, struct etch_rect clip, uint16_t background);
+
+/* A pixel of the window. */
+uint16_t oracle_gfx_at(int32_t x, int32_t y);
 
 void oracle_gfx_pixel(int32_t x, int32_t y, uint16_t color);
 void oracle_gfx_line(int32_t x0, int32_t y0, int32_t x1, int32_t y1, uint16_t color);
@@ -20,8 +23,5 @@ void oracle_gfx_fill_round_rect(int32_t x, int32_t y, int32_t w, int32_t h, int3
                                 uint16_t color);
 void oracle_gfx_fill_triangle(int32_t x0, int32_t y0, int32_t x1, int32_t y1, int32_t x2,
                               int32_t y2, uint16_t color);
-
-/* The canvas has exactly these pixels, and guard words outside its clip; else the case fails. */
-bool oracle_gfx_same(const struct test_canvas *canvas);
 
 #endif

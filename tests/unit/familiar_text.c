@@ -6,7 +6,7 @@
 #include "ports/familiar/gfx_images.h"
 #include "ports/familiar/gfx_shapes.h"
 #include "ports/familiar/gfx_smooth.h"
-#include "tests/oracle/gfx.h"
+#include "familiar_parts.h"
 
 void suite_familiar_text(void);
 
@@ -19,7 +19,7 @@ static void open(struct etch_rect window, bool swapped)
     test_canvas_open(&canvas, window);
     gfx_begin(&g, 64, 48, swapped);
     g.surface = canvas.surface;
-    oracle_gfx_open(&canvas);
+    oracle_gfx_open(canvas.surface.window, canvas.surface.clip, TEST_BACKGROUND);
 }
 
 /* Whether pixel (i, j) of a character's cell is ink: as draw/text.h draws it on row 7. */
@@ -79,7 +79,7 @@ static void text_fills_cells_of_6_by_8(void)
             x += 6 * size;
         }
         CHECK(g.cursor_x == x && g.cursor_y == y);
-        oracle_gfx_same(&canvas);
+        same_pixels(&canvas);
     }
 }
 
@@ -135,7 +135,7 @@ static void strings_stand_about_their_datum(void)
         CHECK_EQ(gfx_drawString(&g, "Hi!", 30, 24), 18);
         for (int k = 0; k < 3; k++)
             expect_cell(30 - 9 * (datum % 3) + 6 * k, 24 - 4 * (datum / 3), "Hi!"[k], 1, 1, 5, 5);
-        oracle_gfx_same(&canvas);
+        same_pixels(&canvas);
     }
     CHECK(gfx_textWidth(&g, "Hi!") == 18 && gfx_fontHeight(&g) == 8);
 }
@@ -167,7 +167,7 @@ static void bitmaps_are_bits(void)
                 if (set || kind == 2)
                     oracle_gfx_pixel(x + k, y + j, gfx_stored(&g, set ? 0x0123 : 9));
             }
-        oracle_gfx_same(&canvas);
+        same_pixels(&canvas);
     }
 }
 
@@ -198,7 +198,7 @@ static void images_come_in_both_byte_orders(void)
         for (int i = 0; i < 7 * 5; i++)
             if (!key || i != 9)
                 oracle_gfx_pixel(x + i % 7, y + i / 7, gfx_stored(&g, plain[i]));
-        oracle_gfx_same(&canvas);
+        same_pixels(&canvas);
     }
 }
 
