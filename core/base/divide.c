@@ -2,21 +2,41 @@
  * Called by set-up and projection, never by a loop over pixels. See fixed.h. */
 #include "fixed.h"
 
+/* A power of two, for the proof: `bit` halves without a rest until it is 1. */
+/*@ predicate is_power(integer n) = n == 1 || (n == 2 * (n >> 1) && n > 1 && is_power(n >> 1)); */
+
 struct etch_quotient etch_divide_u64(uint64_t n, uint64_t d)
 {
     struct etch_quotient r = {0, n};
     uint64_t bit = 1;
 
     ETCH_ASSERT(d != 0 && d <= UINT64_C(1) << 63);
+    /*@ loop invariant d == \at(d, Pre) * bit && 1 <= bit <= d && is_power(bit);
+        loop assigns d, bit;
+        loop variant 0x10000000000000000 - d; */
     while (d < n && d < UINT64_C(1) << 63) { /* align the leading ones */
         d <<= 1;
         bit <<= 1;
+        /*@ assert bit >> 1 == \at(bit, LoopCurrent); */
     }
+    /*@ loop invariant n == r.quotient * \at(d, Pre) + r.remainder;
+        loop invariant bit != 0 ==> is_power(bit);
+        loop invariant bit != 0 ==> d == \at(d, Pre) * bit;
+        loop invariant bit != 0 ==> r.remainder < 2 * d;
+        loop invariant bit == 0 ==> r.remainder < \at(d, Pre);
+        loop assigns r, d, bit;
+        loop variant bit; */
     while (bit != 0) { /* remainder < 2d here, < d after */
+        /*@ assert bit == 1 ==> bit >> 1 == 0 && d == \at(d, Pre); */
+        /*@ assert bit > 1 ==> d == 2 * (\at(d, Pre) * (bit >> 1)); */
+        /*@ assert bit > 1 ==> d == 2 * (d >> 1); */
         if (r.remainder >= d) {
+            /*@ assert (r.quotient + bit) * \at(d, Pre) <= n; */
             r.remainder -= d;
-            r.quotient |= bit;
+            r.quotient += bit;
         }
+        /*@ assert r.remainder < d; */
+        /*@ assert bit >> 1 == 0 ==> r.remainder < \at(d, Pre); */
         d >>= 1;
         bit >>= 1;
     }

@@ -177,10 +177,15 @@ struct etch_quotient {
 
 /* n / d for d in 1 .. 2^63. Shift and subtract, about 8 instructions a quotient bit on
  * ARMv6-M; a quotient of few bits costs little. */
+/*@ requires 1 <= d <= 0x8000000000000000;
+    assigns \result \from n, d;
+    ensures n == \result.quotient * d + \result.remainder && \result.remainder < d; */
 struct etch_quotient etch_divide_u64(uint64_t n, uint64_t d);
 
 /* n / d rounded half up (towards +infinity on a tie) and saturated to int32_t, for every n
  * above INT64_MIN and every d but 0 and INT64_MIN. */
+/*@ requires -0x7FFFFFFFFFFFFFFF <= n && -0x7FFFFFFFFFFFFFFF <= d && d != 0;
+    assigns \result \from n, d; */
 int32_t etch_divide_round_s64(int64_t n, int64_t d);
 
 /* a / b in 16.16, rounded half up, saturated. b = 0 gives the saturated value of a's sign,

@@ -46,6 +46,9 @@ ETCH_INLINE uint32_t quotient_of(uint32_t n, uint32_t d, uint32_t *rest)
     return quotient;
 }
 #else
+/*@ requires d > 0 && \valid(rest);
+    assigns *rest, \result \from n, d;
+    ensures \result == n / d && *rest == n - \result * d && *rest < d; */
 ETCH_INLINE uint32_t quotient_of(uint32_t n, uint32_t d, uint32_t *rest)
 {
     const uint32_t quotient = n / d;
@@ -55,15 +58,14 @@ ETCH_INLINE uint32_t quotient_of(uint32_t n, uint32_t d, uint32_t *rest)
 }
 #endif
 
-/* Puts the edge a, b on its first row: with k = 0 .. 255 from a down to that row's centres, and
- * dx = q dy + r, M / dy = (xa - 128 + k q) / 256 + k r / (256 dy). The first term's whole pixels
- * are x; its fraction f leaves less than 2 dy, so ceil(M / dy) adds at most 2. `tall`: dy may be
- * 2^22 or more. Where dx < 0, q = ~(~dx / dy). */
-ETCH_INLINE void edge_start(struct edge *g, struct etch_point_q8 a, struct etch_point_q8 b,
+/* Puts an edge from x = xa, dx across and dy down, on the row k below its end, k = 0 .. 255 and
+ * below dy: with dx = q dy + r, M / dy = (xa - 128 + k q) / 256 + k r / (256 dy). The first term's
+ * whole pixels are x; its fraction f leaves less than 2 dy, so ceil(M / dy) adds at most 2. `tall`:
+ * dy may be 2^22 or more. Where dx < 0, q = ~(~dx / dy). */
+ETCH_INLINE void edge_place(struct edge *g, int32_t xa, int32_t dx, int32_t dy, int32_t k,
                             bool tall)
 {
-    const int32_t dy = b.y - a.y, dx = b.x - a.x, sign = dx >> 31;
-    const int32_t k = (128 - a.y) & 255;
+    const int32_t sign = dx >> 31;
     uint32_t rest = (uint32_t)(dx ^ sign);
     int32_t quotient = sign;
 
@@ -71,8 +73,8 @@ ETCH_INLINE void edge_start(struct edge *g, struct etch_point_q8 a, struct etch_
         quotient ^= (int32_t)quotient_of(rest, (uint32_t)dy, &rest);
 
     const int32_t remainder = ((int32_t)rest ^ sign) + (sign & dy);
-    const int32_t x_q8 = a.x - 128 + k * quotient, f = x_q8 & 255;
-    int32_t x = x_q8 >> 8;
+    const int32_t start = xa - 128 + k * quotient, f = start & 255;
+    int32_t x = start >> 8;
     int32_t e = !tall || dy < INT32_C(1) << 22 ? -((f * dy + k * remainder + 255) >> 8)
                                                : -first_offset(f, k, dy, remainder);
 
@@ -87,6 +89,15 @@ ETCH_INLINE void edge_start(struct edge *g, struct etch_point_q8 a, struct etch_
     g->remainder = remainder;
 }
 
+/* Puts the edge a, b, which crosses a row, on its first row. */
+ETCH_INLINE void edge_start(struct edge *g, struct etch_point_q8 a, struct etch_point_q8 b,
+                            bool tall)
+{
+    const int32_t dy = b.y - a.y, dx = b.x - a.x;
+
+    edge_place(g, a.x, dx, dy, (128 - a.y) & 255, tall);
+}
+
 /* x first: gcc would put its sum between the subtraction of e and the branch on it, and compare once
  * more. No instruction. */
 #if defined(__GNUC__)
@@ -95,7 +106,13 @@ ETCH_INLINE void edge_start(struct edge *g, struct etch_point_q8 a, struct etch_
 #define STEP_FIRST(x, e) ((void)0)
 #endif
 
-/* Writes x to *out and goes a row down. */
+/* Writes x to *out and goes a row down: M grows by dx = quotient dy + remainder. */
+/*@ requires \valid(g) && \valid(out) && \separated(g, out);
+    requires 0 <= g->remainder < g->dy <= 0x1000000 && 0 <= g->e < g->dy;
+    requires -0x8000 <= g->x <= 0x7FFF && -0x1000000 <= g->quotient <= 0x1000000;
+    assigns *out, g->x, g->e;
+    ensures *out == \old(g->x) && 0 <= g->e < g->dy;
+    ensures (g->x - \old(g->x) - g->quotient) * g->dy == g->e - \old(g->e) + g->remainder; */
 ETCH_INLINE void edge_step(struct edge *g, int16_t *out)
 {
     *out = (int16_t)g->x;

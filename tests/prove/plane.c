@@ -4,13 +4,6 @@
  *          values: nothing overflows, every rest stays below the area
  * assumed: what etch_divide_u64 promises (divide.c) */
 #include "prove.h"
-#include "core/base/fixed.h"
-
-/*@ requires 1 <= d <= 0x8000000000000000;
-    assigns \result \from n, d;
-    ensures \result.remainder < d; */
-struct etch_quotient etch_divide_u64(uint64_t n, uint64_t d);
-
 #include "core/raster/plane.c"
 
 void prove(void)

@@ -21,6 +21,10 @@ broken() {
 build=$1
 broken core/base/fixed.h 's/+ 32768) >> 16/+ 32768) * 65536/' fixed etch_q16_mul
 broken core/base/trig.c 's/square_q28) >> 28/square_q28 * 16) >> 28/' trig bracket
+broken core/base/divide.c 's/r.quotient += bit/r.quotient += 2 * bit/' divide etch_divide_u64
+broken core/base/divide.c 's/d < n && d < UINT64_C(1) << 63/d < n/' divide etch_divide_u64
+broken core/raster/edge.h 's/dy < INT32_C(1) << 22/dy < INT32_C(1) << 23/' edge edge_place
+broken core/raster/edge.h 's/g->e += g->dy, g->x++/g->e += g->dy/' edge edge_step
 broken tests/prove/plane.c 's/UINT64_C(1) << 48/UINT64_C(1) << 63/' plane etch_plane_setup
 broken core/raster/plane.c 's/while (t.rest >= d)/while (t.rest > d)/' plane times_rest
 echo "$passed broken sources not proved, $failed proved"
