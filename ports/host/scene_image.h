@@ -39,6 +39,7 @@ typedef void etch_scene_show(const struct etch_surface *s, const struct etch_sce
                              int order);
 etch_scene_show etch_scene_show_blit, etch_scene_show_stretch, etch_scene_show_nine;
 etch_scene_show etch_scene_show_spin, etch_scene_show_cursor, etch_scene_show_xor;
+etch_scene_show etch_scene_show_copy, etch_scene_show_scroll;
 
 /* A statement that draws an image. */
 struct etch_scene_showing {

@@ -1,4 +1,5 @@
-/* ports/host/scene_images.c: the statements that draw images: blit, stretch, nine, spin, cursor, xorrect.
+/* ports/host/scene_images.c: the statements that draw images: blit, stretch, nine, spin, cursor, xorrect,
+ * copyrect, scroll.
  * scene.c finds them by name, scene_draw.c calls what they append. */
 #include <string.h>
 
@@ -75,6 +76,8 @@ static const struct kind {
     {"spin", etch_scene_show_spin, true, true, false, OPACITY | PART | LINEAR, {NULL}},
     {"cursor", etch_scene_show_cursor, true, false, true, 0, {"x", "y", NULL}},
     {"xorrect", etch_scene_show_xor, false, false, true, 0, {"x", "y", "w", "h", NULL}},
+    {"copyrect", etch_scene_show_copy, false, false, false, 0, {"x", "y", "w", "h", "x2", NULL}},
+    {"scroll", etch_scene_show_scroll, false, false, true, 0, {"x", "y", "w", "h", "dx", NULL}},
 };
 
 /* U V X Y ANGLE SCALE_U SCALE_V */
@@ -170,8 +173,8 @@ static bool read_showing(struct etch_scene_reader *reader, struct etch_scene_sho
     int64_t value;
 
     for (int i = 0; k->numbers[i] != NULL; i++) {
-        if (!etch_text_integer(&reader->text, k->numbers[i], i < 4 ? INT16_MIN : 0, INT16_MAX,
-                               &value)) {
+        if (!etch_text_integer(&reader->text, k->numbers[i], i < 4 || !k->image ? INT16_MIN : 0,
+                               INT16_MAX, &value)) {
             return false;
         }
         w->at[i] = (int16_t)value;
@@ -234,5 +237,7 @@ const struct etch_scene_statement etch_scene_images_statements[] = {
     ROWS("spin", "etch_map_rotate"),
     ROWS("cursor", "etch_image_draw etch_row_index1_xor"),
     ROWS("xorrect", "etch_rect_xor"),
+    ROWS("copyrect", "etch_surface_copy_rect"),
+    ROWS("scroll", "etch_surface_scroll"),
     {NULL, NULL, NULL, NULL, NULL},
 };

@@ -116,3 +116,19 @@ void etch_scene_show_xor(const struct etch_surface *s, const struct etch_scene_s
 {
     etch_rect_xor(s, w->at[0], w->at[1], w->at[2], w->at[3], ordered(w, order));
 }
+
+/* To another place of the same rows, which a strip has, too. */
+void etch_scene_show_copy(const struct etch_surface *s, const struct etch_scene_showing *w,
+                          int order)
+{
+    (void)order;
+    etch_surface_copy_rect(s, w->at[4], w->at[1], s,
+                           etch_rect_from_size(w->at[0], w->at[1], w->at[2], w->at[3]));
+}
+
+void etch_scene_show_scroll(const struct etch_surface *s, const struct etch_scene_showing *w,
+                            int order)
+{
+    etch_surface_scroll(s, etch_rect_from_size(w->at[0], w->at[1], w->at[2], w->at[3]), w->at[4], 0,
+                        ordered(w, order));
+}

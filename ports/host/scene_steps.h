@@ -18,7 +18,7 @@
  *      scene_answers.c   select feedback
  *      scene_text.c      font text textbox
  *      scene_image.c     image
- *      scene_images.c    blit stretch nine spin cursor xorrect
+ *      scene_images.c    blit stretch nine spin cursor xorrect copyrect scroll
  *      scene_lines.c     cline wideline cpoint (drawn by scene_line_paint.c)
  *      scene_lines_2d.c  ddaline halfspace gradient
  *      scene_lines_clip.c  clipline clippolygon cvline cvtri

@@ -35,6 +35,9 @@ scene '3: scale is missing' 'scene 8 8\nimage rgb565 six.ppm\nspin 1 2 3 4 5 6\n
 scene '3: angle: "65536" is not' 'scene 8 8\nimage rgb565 six.ppm\nspin 1 2 3 4 65536 6 7\n'
 scene '3: a cursor is an image of index1' 'scene 8 8\nimage rgb565 six.ppm\ncursor 1 2 3 4 5\n'
 scene '2: b is missing' 'scene 8 8\nxorrect 1 2 3 4 5 6\n'
+scene '2: x2 is missing' 'scene 8 8\ncopyrect 1 2 3 4\n'
+scene '2: dx: "32768" is not' 'scene 8 8\nscroll 1 2 3 4 32768 0 0 0\n'
+scene '2: r is missing' 'scene 8 8\nscroll 1 2 3 4 5\n'
 
 six='00f8e0071ff81f0000f8ffff'
 for f in rgb565 index8 index4; do
@@ -53,3 +56,6 @@ draws 'alpha' 'scene 2 3\nimage rgb565_alpha six.ppm mask mask.ppm\nblit 0 0\n' 
     '00f800001ff81f0000000000'
 draws 'a mask' 'scene 2 3\nimage mask4 mask.ppm color 0 0 255\nblit 0 0\n' '1f0000001f001f0000000000'
 draws 'exclusive or' 'scene 2 1\nclear 0 0 255\nxorrect 1 0 9 9 255 0 255\n' '1f0000f8'
+draws 'a copy' 'scene 3 1\nclear 0 0 255\npoint 0 0 255 0 0\ncopyrect 0 0 2 1 1\n' '00f800f81f00'
+draws 'a scroll' 'scene 3 1\nclear 0 0 255\npoint 0 0 255 0 0\nscroll 0 0 3 9 1 0 255 0\n' \
+    'e00700f81f00'
