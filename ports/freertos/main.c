@@ -1,4 +1,4 @@
-/* ports/freertos/main.c: the program of `make run-freertos`: target_scenes[SCENE] on the panel,
+/* ports/freertos/main.c: the program of `make run-freertos`: SCENE on the panel,
  * drawn by one task while interrupts send what it has drawn (WORKERS 1), or by two (WORKERS 2). A
  * task of higher priority wakes every millisecond and draws into memory of its own meanwhile. */
 #include "../../hal/workers.h"
@@ -69,7 +69,7 @@ static void draw_strips(int i)
     const bool swapped = display->format == ETCH_FORMAT_RGB565_SWAPPED;
 
     for (const struct etch_surface *s; (s = etch_worker_next(&hand[i].worker)) != NULL;) {
-        target_scenes[SCENE].draw(s, swapped);
+        SCENE.draw(s, swapped);
         hand[i].strips++;
     }
 }
@@ -100,7 +100,7 @@ static int draw_by_one(void)
     if (status != 0)
         return status;
     for (struct etch_surface *s = etch_frame_begin(&frame); s != NULL; s = etch_frame_next(&frame))
-        target_scenes[SCENE].draw(s, display->format == ETCH_FORMAT_RGB565_SWAPPED);
+        SCENE.draw(s, display->format == ETCH_FORMAT_RGB565_SWAPPED);
     return etch_frame_end(&frame);
 }
 
@@ -110,7 +110,7 @@ static void render(void *context)
     int status;
 
     (void)context;
-    target_scenes[SCENE].prepare(display->width, display->height);
+    SCENE.prepare(display->width, display->height);
     status = WORKERS > 1 ? draw_by_workers() : draw_by_one();
     if (status != 0)
         finish("FAIL: the display\n", 1);

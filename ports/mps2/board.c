@@ -1,9 +1,13 @@
 /* ports/mps2: Arm MPS2 with the images AN385 (Cortex-M3) and AN386 (M4). The panel is an ILI9341 on
  * the SPI of the board's LCD connector; its control pins are bits of a register of the FPGA.
- * Source: Arm, Application Notes AN385 and AN386. */
+ * board.mk gives some images another panel. Source: Arm, Application Notes AN385 and AN386. */
 #include "../board.h"
 #include "../spi_lcd/panels.h"
 
+#ifndef MPS2_PANEL
+#define MPS2_PANEL etch_ili9341
+#define MPS2_TURN 1
+#endif
 #define REGISTER(address) (*(volatile uint32_t *)(uintptr_t)(address))
 
 /* PL022 serial port of the LCD connector. */
@@ -118,12 +122,13 @@ static const struct etch_bus spi = {.begin = begin,
 const struct etch_display *board_open(void)
 {
     static struct etch_lcd lcd;
+    static uint8_t scratch[128]; /* for panels that take other pixels */
+    const struct etch_lcd_setup setup = {
+        .scratch = scratch, .scratch_size = sizeof scratch, .turn = MPS2_TURN};
 
     PINS = PIN_CS | PIN_RESET | PIN_BACKLIGHT;
     SSP_CR0 = SSP_8_BITS;
     SSP_CPSR = 2; /* 12.5 MHz */
     SSP_CR1 = SSP_ENABLE;
-    return etch_lcd_open(&lcd, &etch_ili9341, &spi, (struct etch_lcd_setup){.turn = 1}) == 0
-               ? &lcd.display
-               : NULL;
+    return etch_lcd_open(&lcd, &MPS2_PANEL, &spi, setup) == 0 ? &lcd.display : NULL;
 }

@@ -8,8 +8,10 @@ vexpress-a15_CC := arm-none-eabi-gcc -mcpu=cortex-a15 -marm -mfloat-abi=soft \
 vexpress-a15_LINK := -nostdlib -Llinker -T vexpress_a15.ld
 $(foreach b,versatilepb vexpress-a15,\
     $(eval $(b)_SOURCES = ports/pl11x/start.S ports/pl11x/board.c $$(FREESTANDING))\
+    $(eval $(b)_SPEED ?= 100 0 cpu -)\
     $(eval $(b)_STRIP := 76800)\
     $(eval $(b)_BUFFERS := 1)\
     $(eval $(b)_FRAME := 320 240)\
     $(eval $(b)_SHOW := python3 tests/targets/qemu_screen.py 1 qemu-system-arm -M $(b) \
-        -semihosting-config enable=on,target=native -kernel))
+        -semihosting-config enable=on,target=native -kernel)\
+    $(eval $(b)_RUN = $$(CORTEX_M_RUN) -M $(b) -kernel))

@@ -1,12 +1,15 @@
-/* ports/rp2040: Raspberry Pi Pico with an ILI9341 on SPI0. Strips go out by DMA while the next one
- * is drawn, by one core or both (hal/workers.h); an interrupt of core 0 tells the end. Wiring: SCK
- * GP18, MOSI GP19, CS GP17, D/C GP20, RESET GP21; text on GP0, 115,200 baud. Source: Raspberry Pi,
- * RP2040 data sheet. */
+/* ports/rp2040: Raspberry Pi Pico with an ILI9341 (or what RP2040_PANEL names) on SPI0. Strips go
+ * out by DMA while the next one is drawn, by one core or both (hal/workers.h); an interrupt of core
+ * 0 tells the end. Wiring: SCK GP18, MOSI GP19, CS GP17, D/C GP20, RESET GP21; text on GP0, 115,200
+ * baud. Source: Raspberry Pi, RP2040 data sheet. */
 #include "../../hal/guarded.h"
 #include "../board.h"
 #include "../spi_lcd/panels.h"
 #include "rp2040.h"
 
+#ifndef RP2040_PANEL
+#define RP2040_PANEL etch_ili9341
+#endif
 #define GPIO_FUNCTION(pin) REGISTER(0x40014004 + 8 * (uint32_t)(pin))
 #define SIO_OUT_SET REGISTER(0xD0000014)
 #define SIO_OUT_CLR REGISTER(0xD0000018)
@@ -174,11 +177,17 @@ static const struct etch_bus spi = {.begin = begin,
                                     .reset = reset,
                                     .delay = delay};
 
-static void start_peripherals(void)
+/* Clocks and peripherals, once: what is called first, board_open or board_print, does it. */
+static void start(void)
 {
+    static bool started;
     const uint32_t pins = UINT32_C(1) << PIN_CS | UINT32_C(1) << PIN_DATA |
                           UINT32_C(1) << PIN_RESET;
 
+    if (started)
+        return;
+    started = true;
+    rp2040_clocks_start();
     /* DMA, pins and their pads, SPI0, timer, UART0 */
     rp2040_unreset(UINT32_C(1) << 2 | 1 << 5 | 1 << 8 | UINT32_C(1) << 16 | UINT32_C(1) << 21 |
                    UINT32_C(1) << 22);
@@ -203,15 +212,15 @@ const struct etch_display *board_open(void)
 {
     static struct etch_lcd lcd;
 
-    rp2040_clocks_start();
-    start_peripherals();
-    return etch_lcd_open(&lcd, &etch_ili9341, &spi, (struct etch_lcd_setup){.turn = 1}) == 0
+    start();
+    return etch_lcd_open(&lcd, &RP2040_PANEL, &spi, (struct etch_lcd_setup){.turn = 1}) == 0
                ? &lcd.display
                : NULL;
 }
 
 void board_print(const char *text)
 {
+    start();
     for (; *text != '\0'; text++) {
         while ((UART_FR & 0x20) != 0) {
         }

@@ -15,7 +15,7 @@ $(CORES_DIR)/%.elf: $(CORES_SRC) $(BUILD)/targets/rp2040/used.a
 
 .PHONY: run-rp2040-cores
 run-rp2040-cores: $(CORES_DIR)/reference $(BUILD)/targets/glass $(BUILD)/targets/core.list
-	+$(Q)$(MAKE1) $(CORES_DIR)/1.elf $(CORES_DIR)/2.elf USED="$$(cat $(BUILD)/targets/core.list)"
+	+$(Q)$(MAKE1) $(CORES_DIR)/1.elf $(CORES_DIR)/2.elf
 	$(Q)BUILD=$(BUILD) sh tests/targets/cores.sh $(CORES_DIR) "$(rp2040_SHOW)"
 
 TARGET_STEPS += run-rp2040-cores

@@ -21,7 +21,7 @@ $(LVGL_DIR)/liblvgl.a: | lvgl-source
 	    -o "$(abspath $(LVGL_DIR))/$$(echo "$$f" | tr / _).o" || exit 255; done' sh
 	$(Q)$(AR) rcs $@ $(LVGL_DIR)/*.o
 
-LVGL_OBJ   := $(call obj,tests/targets/scenes.c)
+LVGL_OBJ   := $(call obj,tests/targets/scenes.c tests/targets/torus.c)
 
 $(LVGL_DIR)/run: $(LVGL_DIR)/liblvgl.a $(LVGL_OURS) $(LVGL_OBJ) $(SIMLIB) $(LIB)
 	$(Q)$(CC) $(CFLAGS_HOST) $(LVGL_FLAGS) $(LVGL_SEE) $(LVGL_OURS) $(LVGL_OBJ) \

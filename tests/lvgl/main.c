@@ -44,16 +44,16 @@ static uint32_t tick(void)
 LV_DRAW_BUF_DEFINE_STATIC(image_view, VIEW_W, VIEW_H, LV_COLOR_FORMAT_RGB565);
 LV_DRAW_BUF_DEFINE_STATIC(canvas_view, VIEW_W, VIEW_H, LV_COLOR_FORMAT_RGB565);
 
-/* Scene `number` of the boards' into a draw buffer. */
-static bool draw_scene(int number, const lv_draw_buf_t *view)
+/* A scene of the boards' into a draw buffer. */
+static bool draw_scene(const struct target_scene *scene, const lv_draw_buf_t *view)
 {
     struct etch_surface s;
 
     if (etch_lvgl_surface(&s, view) != ETCH_OK)
         return false;
     s.depth = depth;
-    target_scenes[number].prepare(VIEW_W, VIEW_H);
-    target_scenes[number].draw(&s, false);
+    scene->prepare(VIEW_W, VIEW_H);
+    scene->draw(&s, false);
     return true;
 }
 
@@ -136,7 +136,8 @@ static void run(struct etch_panel_port *port, lv_display_t *panel, struct etch_l
     lv_display_t *alone = open_own();
 
     for (int32_t value = 20; value <= 80; value += 30) {
-        check(draw_scene(1, &image_view) && draw_scene(value == 50 ? 2 : 0, &canvas_view),
+        check(draw_scene(&target_torus, &image_view) &&
+                  draw_scene(value == 50 ? &target_floor : &target_shapes, &canvas_view),
               "etch draws into two draw buffers");
         make_screen(panel, value);
         make_screen(alone, value);

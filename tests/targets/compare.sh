@@ -5,21 +5,22 @@ set -u
 board=$1 frame=$2 show=$3
 shift 3
 dir=$BUILD/targets/$board
-number=0 passed=0 failed=0
+passed=0 failed=0
+: >"$dir/hashes"
 for scene; do
     "$BUILD/targets/reference" "$scene" $frame >"$dir/$scene.expected" || exit 2
     # $frame and $show are lists of words
-    $show "$dir/$number.elf" >"$dir/$scene.565" 2>"$dir/$scene.log"
+    $show "$dir/$scene.elf" >"$dir/$scene.565" 2>"$dir/$scene.log"
     hash=$(sha256sum "$dir/$scene.565" | cut -c1-16)
     if cmp -s "$dir/$scene.expected" "$dir/$scene.565"; then
         echo "$board $scene $hash ok"
+        echo "$scene $(echo "$frame" | tr ' ' x) $hash" >>"$dir/hashes"
         passed=$((passed + 1))
     else
         echo "$board $scene $hash FAIL"
         tail -3 "$dir/$scene.log"
         failed=$((failed + 1))
     fi
-    number=$((number + 1))
 done
 echo "$passed passed, $failed failed"
 [ "$failed" = 0 ]

@@ -1,5 +1,5 @@
-/* tests/targets: the program of every board: draws target_scenes[SCENE] through the frame loop, in
- * strips of what STRIP pixels hold, then says so. Two buffers where the board gives two. */
+/* tests/targets: the program of every board: draws the scene SCENE through the frame loop, in strips
+ * of what STRIP pixels hold, then says so. Two buffers where the board gives two. */
 #include "hal/frame.h"
 #include "ports/board.h"
 #include "scenes.h"
@@ -30,7 +30,7 @@ static int draw(const struct etch_display *display, const struct target_scene *s
 int main(void)
 {
     const struct etch_display *display = board_open();
-    const int status = display == NULL ? ETCH_EIO : draw(display, &target_scenes[SCENE]);
+    const int status = display == NULL ? ETCH_EIO : draw(display, &SCENE);
 
     board_print(status == 0 ? "drawn\n" : "FAIL\n");
     return status == 0 ? 0 : 1;

@@ -8,6 +8,9 @@
 #include "ports/host/panel_port.h"
 #include "scenes.h"
 
+static const struct target_scene *const scenes[] = {&target_shapes, &target_torus, &target_mesh,
+                                                    &target_spin, &target_floor};
+
 static void put(unsigned pixel)
 {
     putchar((int)(pixel >> 8));
@@ -78,9 +81,9 @@ int main(int argc, char **argv)
     const int width = counted ? atoi(argv[2]) : 0, height = counted ? atoi(argv[3]) : 0;
 
     if (width >= 1 && width <= 4096 && height >= 1 && height <= 4096)
-        for (const struct target_scene *s = target_scenes; s->name != NULL; s++)
-            if (strcmp(s->name, argv[1]) == 0)
-                return draw(s, (int16_t)width, (int16_t)height, argc == 5 ? argv[4] : NULL);
+        for (size_t i = 0; i < sizeof scenes / sizeof scenes[0]; i++)
+            if (strcmp(scenes[i]->name, argv[1]) == 0)
+                return draw(scenes[i], (int16_t)width, (int16_t)height, argc == 5 ? argv[4] : NULL);
     fputs("usage: reference SCENE WIDTH HEIGHT [PANEL]\n", stderr);
     return 2;
 }

@@ -84,7 +84,7 @@ mcu.gpio[DRAWS].addListener(() => {
     if (high(DRAWS)) drawn = now;
     else if (drawn) drawn = now.map((n, i) => n - drawn[i]);
 });
-let stopped = false, instructions = 0, idle = 0;
+let stopped = false, instructions = 0, idle = 0, began = mcu.core.cycles;
 mcu.onBreak = () => (stopped = true);
 while (!stopped && instructions < LIMIT) {
     let cycles = 1;
@@ -103,6 +103,7 @@ while (!stopped && instructions < LIMIT) {
     }
 }
 flush();
-console.error(`${instructions} instructions, ${idle} cycles asleep, ${bytes} bytes`);
+console.error(`${instructions} instructions, ${idle} cycles of waiting, ` +
+              `${mcu.core.cycles - began} cycles, ${bytes} bytes`);
 if (drawn) console.error(`while GP${DRAWS} was high: ${drawn.join(" ")} instructions`);
 process.exit(stopped ? 0 : 1);

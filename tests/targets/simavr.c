@@ -1,7 +1,10 @@
 /* tests/targets: simavr MCU ELF: runs a firmware until it sleeps for good, and writes its bytes on
- * SPI and what it does to port B in the form that glass.c reads; what it says goes to standard
- * error. */
+ * SPI and what it does to port B in the form that glass.c reads; what it says, and what it cost, goes
+ * to standard error. WAITING in the environment has pairs of addresses: functions that wait for SPI,
+ * for which simavr takes 100 us a byte, whatever its clock. */
+#include <stdbool.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <simavr/avr_ioport.h>
@@ -12,13 +15,18 @@
 
 enum {
     CLOCK = 16000000,
-    SECONDS = 60
+    SECONDS = 120,
+    RANGES = 8
 };
+
+static unsigned long bytes;
+static unsigned long ranges[RANGES][2];
 
 static void on_spi(struct avr_irq_t *irq, uint32_t value, void *context)
 {
     (void)irq;
     (void)context;
+    bytes++;
     printf("addr 0x4e value 0x%x\n", (unsigned)value & 0xFF);
 }
 
@@ -36,18 +44,41 @@ static void on_uart(struct avr_irq_t *irq, uint32_t value, void *context)
     fputc((int)value, stderr);
 }
 
+static void read_ranges(const char *text)
+{
+    for (int i = 0; text != NULL && i < RANGES; i++)
+        for (int k = 0; k < 2; k++) {
+            char *end;
+
+            ranges[i][k] = strtoul(text, &end, 10);
+            if (end == text)
+                return;
+            text = end;
+        }
+}
+
+static bool waits(unsigned long pc)
+{
+    for (int i = 0; i < RANGES; i++)
+        if (pc >= ranges[i][0] && pc < ranges[i][1])
+            return true;
+    return false;
+}
+
 int main(int argc, char **argv)
 {
     elf_firmware_t firmware;
     avr_t *avr = argc == 3 ? avr_make_mcu_by_name(argv[1]) : NULL;
     uint32_t flags = 0;
     int state = cpu_Running;
+    unsigned long long instructions = 0, waiting = 0;
 
     memset(&firmware, 0, sizeof firmware);
     if (avr == NULL || elf_read_firmware(argv[2], &firmware) != 0) {
         fputs("usage: simavr MCU ELF\n", stderr);
         return 2;
     }
+    read_ranges(getenv("WAITING"));
     avr_init(avr);
     avr->frequency = CLOCK;
     avr_load_firmware(avr, &firmware);
@@ -61,8 +92,15 @@ int main(int argc, char **argv)
     avr_irq_register_notify(avr_io_getirq(avr, AVR_IOCTL_UART_GETIRQ('0'), UART_IRQ_OUTPUT),
                             on_uart, NULL);
     while (state != cpu_Done && state != cpu_Crashed &&
-           avr->cycle < (avr_cycle_count_t)CLOCK * SECONDS)
+           avr->cycle < (avr_cycle_count_t)CLOCK * SECONDS) {
+        const avr_cycle_count_t before = avr->cycle;
+        const bool waited = waits(avr->pc);
+
         state = avr_run(avr);
-    fprintf(stderr, "%llu cycles\n", (unsigned long long)avr->cycle);
+        instructions += !waited;
+        waiting += waited ? avr->cycle - before : 0;
+    }
+    fprintf(stderr, "%llu instructions, %llu cycles of waiting, %llu cycles, %lu bytes\n",
+            instructions, waiting, (unsigned long long)avr->cycle, bytes);
     return state == cpu_Done ? 0 : 1;
 }

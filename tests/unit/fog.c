@@ -40,11 +40,11 @@ static void prepare(uint32_t z0, uint32_t step)
 
 static void check(uint16_t i, int64_t f, int64_t bound)
 {
-    const int64_t got = (int64_t)chunk.g[i] * ONE / (63 << 10), off = got - (ONE - f);
+    const int64_t got = (int64_t)chunk.g[i] * ONE / (INT64_C(63) << 10), off = got - (ONE - f);
     const int64_t size = off < 0 ? -off : off;
 
     worst = size > worst ? size : worst;
-    if (size > bound + ONE / (63 << 10))
+    if (size > bound + ONE / (INT64_C(63) << 10))
         CHECK_EQ(got, ONE - f);
 }
 
