@@ -3,8 +3,7 @@ BOARDS += linux-mips64 linux-aarch64be
 linux-mips64_CC := clang --target=mips64-linux-gnuabi64 -fno-pic -mno-abicalls -G0
 # clang 14 gets vectorized loops wrong that select between channels: the same LLVM code gives the
 # right pixels on AArch64 of the other byte order.
-linux-aarch64be_CC := clang --target=aarch64_be-linux-gnu
-linux-aarch64be_FLAGS := -fno-vectorize
+linux-aarch64be_CC := clang --target=aarch64_be-linux-gnu -fno-vectorize
 linux-mips64_SHOW := qemu-mips64-static
 linux-aarch64be_SHOW := qemu-aarch64_be-static
 $(foreach b,linux-mips64 linux-aarch64be,\

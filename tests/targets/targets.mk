@@ -129,9 +129,13 @@ unit-$(1): $$(if $$($(1)_UNIT),$(TARGET_DIR)/$(1)/unit.list)
 	$(Q)BUILD=$(BUILD) python3 tests/targets/until.py $$($(1)_RUN) $(TARGET_DIR)/$(1)/unit.elf
 .PHONY: firmware-$(1) build-$(1) run-$(1) unit-$(1)
 .PRECIOUS: $(TARGET_DIR)/$(1)/%.o $(TARGET_DIR)/$(1)/%.elf
--include $$(patsubst %.o,%.d,$$($(1)_OBJ) $$($(1)_UNIT_OBJ))
 endef
 $(foreach b,$(ALL_BOARDS),$(eval $(call board,$(b))))
+
+# What objects depend on, read only for the boards that are made: the files are thousands.
+TARGET_MADE := $(foreach b,$(ALL_BOARDS),$(if $(filter %-$(b) $(TARGET_DIR)/$(b)/%,$(MAKECMDGOALS)),\
+    $(TARGET_DIR)/$(b) $(call target_cpu,$(b))))
+-include $(if $(TARGET_MADE),$(shell find $(sort $(TARGET_MADE)) -name '*.d' 2>/dev/null))
 
 # ---- all of them ---------------------------------------------------------------------------------
 
