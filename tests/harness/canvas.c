@@ -9,8 +9,7 @@ static void open(struct test_canvas *c, struct etch_rect window, uint16_t gap)
     const uint16_t stride = (uint16_t)(width + gap);
     const int32_t height = (int32_t)window.y1 - window.y0;
 
-    if (!CHECK(stride * height <=
-               TEST_CANVAS_WORDS)) /* draw what fits, so that nothing is spoiled */
+    if (!CHECK(stride * height <= TEST_CANVAS_WORDS)) /* then what fits: nothing is spoiled */
         window.y1 = (int16_t)(window.y0 + (int16_t)(TEST_CANVAS_WORDS / stride));
     CHECK_EQ(etch_surface_init(&c->surface, c->pixels + TEST_GUARD_WORDS, window, stride), ETCH_OK);
     c->surface.depth = c->depth + TEST_GUARD_WORDS;

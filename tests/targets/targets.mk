@@ -93,7 +93,7 @@ $(TARGET_DIR)/$(1)/%.o: %.S
 	@mkdir -p $$(@D)
 	$(Q)$$($(1)_CC) -I. -c $$< -o $$@
 $(TARGET_DIR)/$(1)/used.a: $$(call target_obj,$(1),$$(sort $$(TARGET_USED) $(HAL))) $(TARGET_DIR)/core.list
-	@rm -f $$@
+	@mkdir -p $$(@D) && rm -f $$@
 	$(Q)$$($(1)_AR) rcs $$@ $$(filter %.o,$$^)
 $(TARGET_DIR)/$(1)/%.elf: tests/targets/firmware.c $$($(1)_OBJ) $(TARGET_DIR)/$(1)/used.a
 	$(Q)$$(call target_cc,$(1)) -DSCENE=target_$$* -DSTRIP=$$($(1)_STRIP) -DBUFFERS=$$($(1)_BUFFERS) \
@@ -120,7 +120,7 @@ $(TARGET_DIR)/$(1)/unit.list: $(TARGET_DIR)/$(1)/suites.c $(BUILD)/tests/harness
     $$(call obj,$$($(1)_SUITES:%=tests/unit/%.c)) $(TARGET_DIR)/thin.a
 	$(Q)sh tests/targets/list.sh $$@ $(CC) -I. $(OPT) $(EXTRA) $$^
 $(TARGET_DIR)/$(1)/unit.a: $$(call target_obj,$(1),$$($(1)_CORE)) $$(if $$($(1)_UNIT),$(TARGET_DIR)/$(1)/unit.list)
-	@rm -f $$@
+	@mkdir -p $$(@D) && rm -f $$@
 	$(Q)$$($(1)_AR) rcs $$@ $$(filter %.o,$$^)
 $(TARGET_DIR)/$(1)/unit.elf: $$($(1)_UNIT_OBJ) $(TARGET_DIR)/$(1)/suites.o $(TARGET_DIR)/$(1)/unit.a
 	$(Q)$$($(1)_CC) $$($(1)_LINK) -Wl,--gc-sections $$^ $$($(1)_LIBS) -o $$@
