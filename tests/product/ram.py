@@ -50,7 +50,7 @@ class Program(Graph):
         lists = re.findall(rf"^{kind} (\w+(?:,\s*\w+)*);", self.texts, re.M)
         return [f for names in lists for f in re.split(r",\s*", names)]
 
-    def pointer(self, place):
+    def pointer(self, place, way):
         name = self.called(place)
         if name not in BEHIND:
             sys.exit(f"{place}: a call through an unknown pointer, {name}")
@@ -64,11 +64,11 @@ class Program(Graph):
             sys.exit(f"{place}: nothing stands behind {name}")
         return found
 
-    def callees(self, name):
-        found = super().callees(name)
+    def callees(self, way):
+        found = super().callees(way)
         for f in found:
             if f not in self.frame and not LIBRARY.match(f):
-                sys.exit(f"{name} calls {f}, whose stack nobody knows")
+                sys.exit(f"{way[-1]} calls {f}, whose stack nobody knows")
         return found
 
     def deepest(self, roots):
