@@ -44,6 +44,11 @@ void *etch_scene_data(struct etch_scene_reader *reader, size_t size)
     return data;
 }
 
+int16_t *etch_scene_covers(struct etch_scene_reader *reader)
+{
+    return etch_scene_data(reader, ((size_t)reader->scene->width + 2) * sizeof(int16_t));
+}
+
 bool etch_scene_read_byte(struct etch_scene_reader *reader, const char *name, uint8_t *value)
 {
     int64_t number;

@@ -144,8 +144,7 @@ static bool read_soft(struct etch_scene_reader *reader,
         return false;
     }
     step = etch_scene_append(reader, &shape->kind->statement);
-    shape->cover = etch_scene_data(reader,
-                                   ((size_t)reader->scene->width + 1) * sizeof *shape->cover);
+    shape->cover = etch_scene_covers(reader);
     if (step == NULL || shape->cover == NULL ||
         (step->needs = etch_scene_brush_needs(reader, true)) == NULL) {
         return false;

@@ -223,7 +223,7 @@ static bool read_smooth(struct etch_scene_reader *reader,
         return false;
     }
     step->needs = etch_scene_brush_needs(reader, true);
-    t->cover = etch_scene_data(reader, ((size_t)reader->scene->width + 1) * sizeof *t->cover);
+    t->cover = etch_scene_covers(reader);
     if (t->cover == NULL || step->needs == NULL) {
         return false;
     }

@@ -35,6 +35,9 @@ sampled 'accumulate 4' '000008420000' # 1/4
 sampled shared '084208420000'         # 1/4 and 1/4
 draws 'whole pixels stay whole' 'scene 3 1\nantialias msaa\npoint 1 0 255 255 255\n' '0000ffff0000'
 draws 'whole pixels are n x n' 'scene 3 1\nantialias ssaa 3\npoint 1 0 255 255 255\n' '0000ffff0000'
+draws 'smooth shapes in a column more' \
+    'scene 3 1\nantialias shared\nsmooth 255 ellipse 1 0 9 9 255 255 255\nsoft 255 disc 1 0 9 255 0 0\n' \
+    '00f800f800f8'
 draws 'the last counts' "scene 3 1\nfrac 8\nantialias msaa\nantialias none\n$third" '000000000000'
 draws 'average' 'scene 3 1\nfilter average\npoint 1 0 255 255 255\n' 'aa52aa52aa52'
 draws 'none' 'scene 3 1\nfilter average\nfilter none\npoint 1 0 255 255 255\n' '0000ffff0000'
