@@ -66,9 +66,10 @@ static int32_t ray_cut(const struct etch_sector_ray *r, int32_t b)
 void etch_sector_init(struct etch_sector *s, uint16_t from, uint32_t sweep, int32_t first,
                       uint8_t stride)
 {
-    const uint16_t to = (uint16_t)((from + (sweep & 65535)) & 65535);
+    const uint32_t turn = sweep < 65536 ? sweep : 65536; /* more is all, not the rest */
+    const uint16_t to = (uint16_t)((from + (turn & 65535)) & 65535);
 
-    s->inverted = sweep > 32768;
+    s->inverted = turn > 32768;
     s->first_is_left = ray_init(&s->first, s->inverted ? to : from, first, stride);
     s->last_is_left = ray_init(&s->last, s->inverted ? from : to, first, stride);
     s->b = first;

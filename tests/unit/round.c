@@ -227,6 +227,8 @@ static void draw_random(uint32_t *seed, int32_t i)
     }
     s.from = (uint16_t)test_random(seed);
     s.sweep = (uint32_t)test_range(seed, 0, i % 7 == 0 ? 200 : 65536);
+    if (i % 11 == 0) /* more than a turn: all of it */
+        s.sweep = test_random(seed) | 65536;
     clip.x0 = (int16_t)(clip.x0 + test_range(seed, 0, 40));
     clip.x1 = (int16_t)(clip.x1 - test_range(seed, 0, 20));
     clip.y1 = (int16_t)(clip.y1 - test_range(seed, 0, 30));

@@ -189,6 +189,8 @@ static struct shape random_shape(uint32_t *seed, int32_t i)
     s.from = (uint16_t)(i % 3 == 0 ? test_range(seed, 0, 7) * 8192
                                    : (int32_t)(test_random(seed) & 65535));
     s.sweep = (uint32_t)(i % 5 == 0 ? test_range(seed, 0, 8) * 8192 : test_range(seed, 0, 65536));
+    if (i % 13 == 0) /* more than a turn: all of it */
+        s.sweep = test_random(seed) | 65536;
     if (i % 4 == 0 && s.kind <= ARC) /* an edge of a large one passes */
         s.a.x += test_range(seed, 0, 1) != 0 ? s.r : -s.r;
     return s;
