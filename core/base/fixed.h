@@ -108,7 +108,14 @@ ETCH_INLINE int32_t etch_mul_high(int32_t a, int32_t b)
 }
 #endif
 
-/* Leading zero bits of v; 32 for 0. Some 20 instructions on ARMv6-M. */
+/* Leading zero bits of v; 32 for 0. The same in two forms: by an instruction where the core has one,
+ * else some 20 instructions on ARMv6-M. */
+#if defined(__GNUC__) && (defined(__x86_64__) || defined(__aarch64__) || defined(__ARM_FEATURE_CLZ))
+ETCH_INLINE uint8_t etch_leading_zeros(uint32_t v)
+{
+    return v == 0 ? 32 : (uint8_t)__builtin_clz(v);
+}
+#else
 ETCH_INLINE uint8_t etch_leading_zeros(uint32_t v)
 {
     uint8_t n = 0;
@@ -125,6 +132,7 @@ ETCH_INLINE uint8_t etch_leading_zeros(uint32_t v)
         n = (uint8_t)(n + (v == 0 ? 2 : 1));
     return n;
 }
+#endif
 
 /* ---- arithmetic modulo 2^32, by intent ------------------------------------------------ */
 

@@ -12,6 +12,7 @@
 
 #include "../../core/fragment/flat.h"
 #include "../../core/fragment/gouraud.h"
+#include "../../core/vertex/viewport.h"
 
 #define GUARD 65536 /* bytes, a multiple of every page size */
 #define LARGEST (64 * 1024)
@@ -36,7 +37,7 @@ static const struct {
     etch_kernel *leaf, *portable;
 } kernels[] = {KERNELS(ROW)};
 
-static uint32_t seed = 1;
+static uint32_t seed = 1, projected;
 
 static uint32_t below(uint32_t n)
 {
@@ -123,6 +124,48 @@ static bool differs(size_t k, uint8_t *const memory[3], uint8_t *const copies[2]
     return memcmp(t.pixels, s.pixels, bytes) != 0 || memcmp(t.depth, s.depth, bytes) != 0;
 }
 
+void portable_etch_viewport_project(const struct etch_viewport *v,
+                                    const struct etch_clip_vertex *in, struct etch_vertex *out);
+
+/* One of either sign, of up to `bits` bits. */
+static int32_t signed_of(uint32_t bits)
+{
+    const int32_t v = (int32_t)(wl_next(&seed) >> (32 - bits));
+
+    return below(2) == 0 ? v : -v;
+}
+
+/* Vertices of every size on viewports of every size, near, far, beside and beyond their planes by a
+ * little; many quotients are halves. */
+static bool projection_differs(void)
+{
+    const uint32_t bits = 1 + below(31), beside = 1 + below(31), size = below(16);
+    const int32_t width = 1 + (int32_t)below(1U << size), height = 1 + (int32_t)below(1U << size);
+    const int16_t x = (int16_t)(signed_of(15) % (32767 - width)), y = (int16_t)below(64);
+    const struct etch_rect rect = {x, y, (int16_t)(x + width),
+                                   (int16_t)(height > 32000 ? 32000 : y + height)};
+    const int32_t w = 1 + (signed_of(bits) & INT32_MAX);
+    const struct etch_clip_vertex in = {.x = signed_of(beside),
+                                        .y = signed_of(beside),
+                                        .z = below(8) == 0 ? w : signed_of(bits),
+                                        .w = w > 0 ? w : INT32_MAX,
+                                        .r = 1,
+                                        .g = 2,
+                                        .b = 3,
+                                        .a = 4};
+    struct etch_viewport v;
+    struct etch_vertex a, b;
+
+    if (etch_viewport_init(&v, rect) != ETCH_OK ||
+        (etch_viewport_outcode(&v, &in) & ETCH_OUT_CLIP) != 0)
+        return false;
+    projected++;
+    etch_viewport_project(&v, &in, &a);
+    portable_etch_viewport_project(&v, &in, &b);
+    return a.x_q8 != b.x_q8 || a.y_q8 != b.y_q8 || a.z_q16 != b.z_q16 || a.r != b.r || a.g != b.g ||
+           a.b != b.b || a.a != b.a;
+}
+
 int main(void)
 {
     static uint16_t copies[2][LARGEST / 2];
@@ -139,7 +182,14 @@ int main(void)
                 printf("%s: call %u differs\n", kernels[k].name, (unsigned)i);
                 return 1;
             }
-    printf("%u guarded calls of %u kernels write what the portable C writes\n",
-           (unsigned)(calls * count), (unsigned)count);
+    for (uint32_t i = 0; i < 100 * calls; i++)
+        if (projection_differs()) {
+            printf("projection %u differs\n", (unsigned)i);
+            return 1;
+        }
+    if (projected < 10 * calls)
+        return 1;
+    printf("%u guarded calls of %u kernels and %u projections do what the portable C does\n",
+           (unsigned)(calls * count), (unsigned)count, (unsigned)projected);
     return 0;
 }

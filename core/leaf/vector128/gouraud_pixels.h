@@ -4,10 +4,9 @@
 #ifndef ETCH_LEAF_GOURAUD_PIXELS_H
 #define ETCH_LEAF_GOURAUD_PIXELS_H
 
-#include "../../fragment/gouraud.h"
-#include "vector.h"
+#include "gouraud_planes.h"
 
-/* Where the planes stand in four columns, and their steps by four. */
+/* A value in four columns, for each channel. */
 struct gouraud_vector {
     vector_u32 r, g, b;
 };
@@ -37,31 +36,51 @@ ETCH_INLINE void gouraud_step(struct gouraud_vector *c, const struct gouraud_vec
     c->r += by->r, c->g += by->g, c->b += by->b;
 }
 
-/* The steps of the planes, from a column to the fourth after it. */
-ETCH_INLINE struct gouraud_vector gouraud_steps(const struct etch_gouraud_paint *p)
+/* What lanes z, r, g, b give in all four columns. */
+ETCH_INLINE struct gouraud_vector gouraud_spread(vector_u32 v)
 {
-    return (struct gouraud_vector){vector_all(p->r.dx) << 2, vector_all(p->g.dx) << 2,
-                                   vector_all(p->b.dx) << 2};
+    return (struct gouraud_vector){__builtin_shufflevector(v, v, 1, 1, 1, 1),
+                                   __builtin_shufflevector(v, v, 2, 2, 2, 2),
+                                   __builtin_shufflevector(v, v, 3, 3, 3, 3)};
 }
 
-/* n pixels from `pixel` on; c stands at the first four. */
+/* Steps from the first of four columns to each. */
+ETCH_INLINE struct gouraud_vector gouraud_ramp(vector_u32 dx)
+{
+    const vector_u32 none = {0, 0, 0, 0}, twice = dx + dx, thrice = twice + dx;
+    const vector_u32 zr = __builtin_shufflevector(none, dx, 0, 4, 1, 5);
+    const vector_u32 zr2 = __builtin_shufflevector(twice, thrice, 0, 4, 1, 5);
+    const vector_u32 gb = __builtin_shufflevector(none, dx, 2, 6, 3, 7);
+    const vector_u32 gb2 = __builtin_shufflevector(twice, thrice, 2, 6, 3, 7);
+
+    return (struct gouraud_vector){__builtin_shufflevector(zr, zr2, 2, 3, 6, 7),
+                                   __builtin_shufflevector(gb, gb2, 0, 1, 4, 5),
+                                   __builtin_shufflevector(gb, gb2, 2, 3, 6, 7)};
+}
+
+/* n >= 1 pixels from `pixel` on; c stands at the first four. */
 ETCH_INLINE void gouraud_walk(uint16_t *pixel, uint32_t n, struct gouraud_vector c,
                               const struct gouraud_vector *by4, gouraud_join *join)
 {
-    for (;;) {
+    while (n > 8) {
         const vector_u32 four = gouraud_upper(&c);
 
         gouraud_step(&c, by4);
-        const vector_u16 eight = join(vector_upper(four, gouraud_upper(&c)));
-
-        if (n <= 8) {
-            vector_store_first(pixel, eight, n);
-            return;
-        }
-        vector_store(pixel, eight);
+        vector_store(pixel, join(vector_upper(four, gouraud_upper(&c))));
         gouraud_step(&c, by4);
         pixel += 8, n -= 8;
     }
+    vector_u32 four = gouraud_upper(&c);
+
+    if (n > 4) {
+        const vector_u16 eight = join(vector_upper(four, four));
+
+        *(four_pixels *)pixel = ((vector_u64)eight)[0];
+        gouraud_step(&c, by4);
+        four = gouraud_upper(&c);
+        pixel += 4, n -= 4;
+    }
+    vector_store_few(pixel, join(vector_upper(four, four)), n);
 }
 
 #endif

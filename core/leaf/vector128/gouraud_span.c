@@ -6,12 +6,12 @@
 void etch_gouraud_span(uint16_t *pixel, int32_t x, uint32_t n, int32_t y,
                        const struct etch_paint *paint)
 {
-    const struct etch_gouraud_paint *const p = (const struct etch_gouraud_paint *)paint;
-    const struct gouraud_vector by4 = gouraud_steps(p);
-    const struct gouraud_vector c = {
-        vector_ramp(etch_plane_at(&p->r, (int16_t)x, (int16_t)y), p->r.dx),
-        vector_ramp(etch_plane_at(&p->g, (int16_t)x, (int16_t)y), p->g.dx),
-        vector_ramp(etch_plane_at(&p->b, (int16_t)x, (int16_t)y), p->b.dx)};
+    const struct gouraud_planes planes = gouraud_planes((const struct etch_gouraud_paint *)paint,
+                                                        (int16_t)y);
+    const struct gouraud_vector ramp = gouraud_ramp(planes.dx);
+    const struct gouraud_vector by4 = gouraud_spread(planes.dx << 2);
+    struct gouraud_vector c = gouraud_spread(gouraud_planes_at(&planes, (uint32_t)x));
 
+    gouraud_step(&c, &ramp);
     gouraud_walk(pixel, n, c, &by4, gouraud_plain);
 }

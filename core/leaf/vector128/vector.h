@@ -80,19 +80,14 @@ ETCH_INLINE uint32_t vector_bits(vector_s16 mask)
 }
 #endif
 
-/* The first n = 1 .. 8 lanes to p. */
-ETCH_INLINE void vector_store_first(uint16_t *p, vector_u16 v, uint32_t n)
+/* The first n = 1 .. 4 lanes to p. */
+ETCH_INLINE void vector_store_few(uint16_t *p, vector_u16 v, uint32_t n)
 {
     uint64_t low = ((vector_u64)v)[0];
 
-    if (n >= 8) {
-        vector_store(p, v);
-        return;
-    }
-    if ((n & 4) != 0) {
+    if (n == 4) {
         *(four_pixels *)p = low;
-        low = ((vector_u64)v)[1];
-        p += 4;
+        return;
     }
     if ((n & 2) != 0) {
         *(two_pixels *)p = (uint32_t)(low & UINT32_MAX);
