@@ -62,8 +62,9 @@ static int run(const struct etch_options *o, const struct etch_scene *scene,
 
     s.rows = rows == 0 || rows > scene->height ? scene->height : (int16_t)rows;
     if (o->needs) {
-        etch_report_needs(&s);
-        return 0;
+        return etch_report_needs(&s)
+                   ? 0
+                   : failed((etch_error_set(error, o->scene, 0, "out of memory"), error));
     }
     ok = etch_simulate(&s, o->scene, error) && write_outputs(o, &s, error);
     if (ok && o->stats) {

@@ -1,11 +1,8 @@
-/* ports/host/report.c: prints --stats and --needs. etch-sim calls it. */
+/* ports/host/report.c: prints --stats; report_needs.c prints --needs. etch-sim calls it. */
 #include "report.h"
 
 #include <inttypes.h>
 #include <stdio.h>
-#include <string.h>
-
-#include "scene_steps.h"
 
 /* What was sent, and how long that takes. */
 static void report_bus(const struct etch_simulation *s)
@@ -52,75 +49,4 @@ void etch_report_stats(const struct etch_simulation *s)
         (void)printf(", stencil %" PRIu64, s->stencil_bytes);
     }
     (void)printf(", vertices %zu\n", s->scene->vertex_bytes);
-}
-
-/* The names that a step needs, with blanks between, or NULL: functions (0, 1) or kernels (2). */
-static const char *needs_of(const struct etch_scene *scene, const struct etch_scene_step *step,
-                            int what)
-{
-    return what == 0                ? step->statement->needs
-           : what == 1              ? step->needs
-           : step->pipeline == NULL ? NULL
-                                    : step->pipeline->name[scene->format];
-}
-
-struct names {
-    struct etch_word seen[256];
-    size_t count;
-};
-
-/* Prints the words that were not printed before. */
-static void print_new(struct names *names, const char *text)
-{
-    while (*text != '\0') {
-        const struct etch_word word = {text, strcspn(text, " ")};
-        size_t k = 0;
-
-        while (k < names->count && (names->seen[k].size != word.size ||
-                                    memcmp(names->seen[k].text, word.text, word.size) != 0)) {
-            k++;
-        }
-        if (k == names->count && k < sizeof names->seen / sizeof names->seen[0]) {
-            names->seen[names->count++] = word;
-            (void)printf(" %.*s", (int)word.size, word.text);
-        }
-        text += word.size + strspn(text + word.size, " ");
-    }
-}
-
-static void print_names(const struct etch_scene *scene, const char *title, int first, int last)
-{
-    struct names names = {.count = 0};
-
-    (void)printf("%s", title);
-    for (size_t i = 0; i < scene->count; i++) {
-        for (int what = first; what <= last; what++) {
-            const char *name = needs_of(scene, &scene->step[i], what);
-
-            if (name != NULL) {
-                print_new(&names, name);
-            }
-        }
-    }
-    (void)printf("%s\n", names.count == 0 ? " none" : "");
-}
-
-void etch_report_needs(const struct etch_simulation *s)
-{
-    const struct etch_scene *scene = s->scene;
-    const bool depth = scene->uses_depth || s->keeps_depth;
-    const bool stencil = scene->uses_stencil || s->keeps_stencil;
-    const uint64_t plane = (uint64_t)s->rows * (uint64_t)scene->width * sizeof(uint16_t);
-
-    print_names(scene, "functions ", 0, 1);
-    print_names(scene, "kernels   ", 2, 2);
-    (void)printf("planes     colour%s%s\n", depth ? ", depth" : "", stencil ? ", stencil" : "");
-    (void)printf("ram        %" PRIu64 " bytes a colour buffer of %d rows, one or two of them; "
-                 "depth %" PRIu64,
-                 plane, s->rows, depth ? plane : 0);
-    if (stencil) {
-        (void)printf("; stencil %" PRIu64, plane / 2);
-    }
-    (void)printf("; vertices %zu\n", scene->vertex_bytes);
-    (void)printf("flash      not measured by this command\n");
 }

@@ -12,6 +12,7 @@ struct etch_scene_step;
 struct etch_scene_mesh;
 struct etch_scene_texture;
 struct etch_scene_passes;
+struct etch_scene_facts;
 
 struct etch_scene {
     int16_t width, height;
@@ -21,6 +22,7 @@ struct etch_scene {
     bool uses_stencil;   /* something tests stencil values */
     size_t count;        /* of steps */
     size_t vertex_bytes; /* RAM for the transformed vertices of its meshes */
+    int32_t near, far;   /* 16.16, of the latest perspective; 0 without one */
     char **file;         /* what it reads beside itself: meshes, textures */
     size_t file_count;
 
@@ -50,9 +52,10 @@ void etch_scene_close(struct etch_scene *scene);
 
 /* What drawing cost. */
 struct etch_scene_stats {
-    uint64_t triangles; /* handed to the rasteriser: not culled, not rejected */
-    uint64_t runs;      /* of all fills, clipped, none empty */
-    uint64_t pixels;    /* handed to kernels (before any test) and of outlines */
+    uint64_t triangles;             /* handed to the rasteriser: not culled, not rejected */
+    uint64_t runs;                  /* of all fills, clipped, none empty */
+    uint64_t pixels;                /* handed to kernels (before any test) and of outlines */
+    struct etch_scene_facts *facts; /* filled in too, see scene_facts.h; or NULL */
 };
 
 /* Draws the whole scene on a surface: clears first, to black, the farthest depth and stencil 0.

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "../../core/draw/shapes.h"
+#include "scene_facts.h"
 #include "scene_staged.h"
 #include "scene_steps.h"
 
@@ -13,11 +14,14 @@ uint16_t etch_scene_color(const struct etch_scene_run *run, const uint8_t rgb[3]
 }
 
 /* Returns the run that the surface belongs to. */
-static const struct etch_scene_run *count(const struct etch_surface *surface,
+static const struct etch_scene_run *count(const struct etch_surface *surface, int16_t y0,
                                           const struct etch_run *runs, uint8_t n)
 {
     const struct etch_scene_run *run = (const struct etch_scene_run *)(const void *)surface;
 
+    if (run->stats->facts != NULL) {
+        etch_scene_facts_runs(run->stats->facts, y0, runs, n);
+    }
     for (uint8_t i = 0; i < n; i++) {
         run->stats->runs += runs[i].x1 > runs[i].x0;
         run->stats->pixels += (uint64_t)(runs[i].x1 - runs[i].x0);
@@ -28,7 +32,7 @@ static const struct etch_scene_run *count(const struct etch_surface *surface,
 void etch_scene_count(const struct etch_surface *surface, int16_t y0, const struct etch_run *runs,
                       uint8_t n, const struct etch_paint *paint)
 {
-    const struct etch_scene_run *run = count(surface, runs, n);
+    const struct etch_scene_run *run = count(surface, y0, runs, n);
 
     if (run->kernel != NULL) {
         run->kernel(surface, y0, runs, n, paint);
@@ -40,19 +44,19 @@ void etch_scene_count(const struct etch_surface *surface, int16_t y0, const stru
 static void count_affine(const struct etch_surface *surface, int16_t y0,
                          const struct etch_run *runs, uint8_t n, const struct etch_paint *paint)
 {
-    count(surface, runs, n)->texture->affine(surface, y0, runs, n, paint);
+    count(surface, y0, runs, n)->texture->affine(surface, y0, runs, n, paint);
 }
 
 static void count_blocks(const struct etch_surface *surface, int16_t y0,
                          const struct etch_run *runs, uint8_t n, const struct etch_paint *paint)
 {
-    count(surface, runs, n)->texture->blocks(surface, y0, runs, n, paint);
+    count(surface, y0, runs, n)->texture->blocks(surface, y0, runs, n, paint);
 }
 
 static void count_exact(const struct etch_surface *surface, int16_t y0, const struct etch_run *runs,
                         uint8_t n, const struct etch_paint *paint)
 {
-    count(surface, runs, n)->texture->exact(surface, y0, runs, n, paint);
+    count(surface, y0, runs, n)->texture->exact(surface, y0, runs, n, paint);
 }
 
 void etch_scene_paint_texture(struct etch_scene_run *run,
@@ -66,6 +70,7 @@ void etch_scene_paint_texture(struct etch_scene_run *run,
                                                                         : pipeline->texture;
     const bool depth = pipeline->ztest != 0;
 
+    etch_scene_facts_texture(run, pipeline, v);
     if (run->pass != NULL) {
         etch_scene_pass_texture(run, pipeline, v, texture);
         return;
@@ -105,6 +110,7 @@ static void count_triangle(struct etch_sink *sink, const struct etch_vertex *con
     struct etch_scene_sink *counting = (struct etch_scene_sink *)(void *)sink;
     const struct etch_raster_sink *raster = &counting->raster;
 
+    etch_scene_facts_triangle(counting->run, counting->pipeline, v);
     counting->run->stats->triangles++;
     raster->painter(raster->surface, v, raster->kernel);
 }
@@ -114,6 +120,7 @@ static void take_staged(struct etch_sink *sink, const struct etch_vertex *const 
     struct etch_scene_sink *staged = (struct etch_scene_sink *)(void *)sink;
 
     if (staged->run->stats != NULL) {
+        etch_scene_facts_triangle(staged->run, staged->pipeline, v);
         staged->run->stats->triangles++;
     }
     etch_scene_staged_draw(staged->run, staged->pipeline->staged, v);
@@ -192,6 +199,9 @@ bool etch_scene_draw(const struct etch_scene *scene, struct etch_surface *surfac
         return false;
     }
     for (size_t i = 0; i < scene->count; i++) {
+        if (stats != NULL && stats->facts != NULL) {
+            stats->facts->testing = false;
+        }
         scene->step[i].statement->draw(&run, &scene->step[i]);
     }
     etch_scene_run_close(&run);

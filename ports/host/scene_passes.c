@@ -14,17 +14,20 @@ static void draw_nothing(struct etch_scene_run *run, const struct etch_scene_ste
 /* What each adds to --needs. */
 static const struct etch_scene_statement needs_antialias[] = {
     [ETCH_SCENE_NO_ANTIALIAS] = {"antialias", NULL, draw_nothing, NULL, NULL},
-    [ETCH_SCENE_SSAA] = {"antialias", NULL, draw_nothing, "etch_supersample_resolve_n", NULL},
+    [ETCH_SCENE_SSAA] = {"antialias", NULL, draw_nothing, NULL, NULL},
     [ETCH_SCENE_MSAA] = {"antialias", NULL, draw_nothing,
-                         "etch_multisample_flat .._gouraud etch_multisample_resolve", NULL},
+                         "etch_multisample_flat etch_multisample_gouraud etch_multisample_resolve",
+                         NULL},
     [ETCH_SCENE_SHARED] = {"antialias", NULL, draw_nothing,
-                           "etch_shared_flat .._gouraud etch_shared_resolve", NULL},
-    [ETCH_SCENE_ACCUMULATE] = {"antialias", NULL, draw_nothing,
-                               "etch_jitter_n etch_accumulation_load .._add .._return", NULL},
+                           "etch_shared_flat etch_shared_gouraud etch_shared_resolve", NULL},
+    [ETCH_SCENE_ACCUMULATE] =
+        {"antialias", NULL, draw_nothing,
+         "etch_accumulation_load etch_accumulation_add etch_accumulation_return", NULL},
     [ETCH_SCENE_FXAA] = {"antialias", NULL, draw_nothing, "etch_smooth_draw", NULL},
 };
 static const struct etch_scene_statement needs_moments = {
-    "motionblur", NULL, draw_nothing, "etch_accumulation_load .._add .._return", NULL};
+    "motionblur", NULL, draw_nothing,
+    "etch_accumulation_load etch_accumulation_add etch_accumulation_return", NULL};
 static const struct etch_scene_statement needs_filter[] = {
     [ETCH_SCENE_NO_FILTER] = {"filter", NULL, draw_nothing, NULL, NULL},
     [ETCH_SCENE_AVERAGE] = {"filter", NULL, draw_nothing, "etch_filter_average", NULL},
@@ -59,6 +62,21 @@ static bool read_number(struct etch_scene_reader *reader, const char *name, int 
 }
 
 /* none | ssaa N | msaa | shared | accumulate N | fxaa */
+/* What depends on the number of samples. */
+static const char *needs_of(const struct etch_scene_passes *passes)
+{
+    static const char *const resolve[] = {
+        "etch_supersample_resolve_2", "etch_supersample_resolve_3", "etch_supersample_resolve_4"};
+    const int n = passes->samples;
+
+    return passes->antialias == ETCH_SCENE_SSAA         ? resolve[n - 2]
+           : passes->antialias != ETCH_SCENE_ACCUMULATE ? NULL
+           : n == 2                                     ? "etch_jitter_2"
+           : n == 4                                     ? "etch_jitter_4"
+           : n == 8                                     ? "etch_jitter_8"
+                                                        : "etch_jitter_16";
+}
+
 static bool read_antialias(struct etch_scene_reader *reader,
                            const struct etch_scene_statement *statement)
 {
@@ -93,7 +111,12 @@ static bool read_antialias(struct etch_scene_reader *reader,
             return etch_text_fail(&reader->text, "accumulate takes 2, 4, 8 or 16");
         }
     }
-    return etch_scene_append(reader, &needs_antialias[kind]) != NULL;
+    struct etch_scene_step *step = etch_scene_append(reader, &needs_antialias[kind]);
+
+    if (step != NULL) {
+        step->needs = needs_of(passes);
+    }
+    return step != NULL;
 }
 
 static bool read_motion_blur(struct etch_scene_reader *reader,

@@ -52,9 +52,9 @@ KERNELS(always, 1)
 #define ROW(kind, test, write, paints, paints_swapped, draws, draws_swapped)                       \
     {                                                                                              \
         .shade = (kind), .ztest = (test), .zwrite = (write), .painter = {paints, paints_swapped},  \
-        .kernel = {draws, draws_swapped}, .name = {                                                \
-            #draws,                                                                                \
-            #draws_swapped                                                                         \
+        .kernel = {draws, draws_swapped}, .name = {#draws, #draws_swapped}, .painter_name = {      \
+            #paints,                                                                               \
+            #paints_swapped                                                                        \
         }                                                                                          \
     }
 #define FLAT_ROW(ztest, zwrite, kernel)                                                            \
@@ -67,9 +67,9 @@ KERNELS(always, 1)
 #define BLEND_ROW(kind, paints, draws)                                                             \
     {                                                                                              \
         .shade = (kind), .painter = {paints, paints}, .kernel = {draws, draws##_swapped},          \
-        .name = {                                                                                  \
-            #draws,                                                                                \
-            #draws "_swapped"                                                                      \
+        .name = {#draws, #draws "_swapped"}, .painter_name = {                                     \
+            #paints,                                                                               \
+            #paints                                                                                \
         }                                                                                          \
     }
 

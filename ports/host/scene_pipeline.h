@@ -44,7 +44,8 @@ struct etch_scene_pipeline {
     uint8_t shade, ztest, zwrite;
     etch_triangle_painter *painter[2];
     etch_kernel *kernel[2];
-    const char *name[2]; /* of the kernels */
+    const char *name[2];         /* of the kernels */
+    const char *painter_name[2]; /* of the painters */
 
     struct etch_scene_staged *staged; /* instead of all of the others; else NULL */
 

@@ -15,17 +15,17 @@ enum {
 #define FLAT(test, paints, paints_swapped, draws)                                                  \
     {                                                                                              \
         .shade = 1, .ztest = (test), .zwrite = (test) != OFF, .painter = {paints, paints_swapped}, \
-        .kernel = {draws, draws}, .name = {                                                        \
-            #draws,                                                                                \
-            #draws                                                                                 \
+        .kernel = {draws, draws}, .name = {#draws, #draws}, .painter_name = {                      \
+            #paints,                                                                               \
+            #paints_swapped                                                                        \
         }                                                                                          \
     }
 #define BYTES(kind, test, paints, draws)                                                           \
     {                                                                                              \
         .shade = (kind), .ztest = (test), .zwrite = (test) != OFF, .painter = {paints, paints},    \
-        .kernel = {draws, draws##_swapped}, .name = {                                              \
-            #draws,                                                                                \
-            #draws "_swapped"                                                                      \
+        .kernel = {draws, draws##_swapped}, .name = {#draws, #draws "_swapped"}, .painter_name = { \
+            #paints,                                                                               \
+            #paints                                                                                \
         }                                                                                          \
     }
 

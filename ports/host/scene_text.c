@@ -222,6 +222,31 @@ static bool read_options(struct etch_scene_reader *reader, struct etch_scene_wor
     return true;
 }
 
+/* The font and its painter, as --needs names them. */
+static const char *needs_of(const struct etch_scene_words *w)
+{
+    static const struct {
+        const struct etch_font *font;
+        const char *needs;
+    } fonts[] = {
+        {&etch_font_fixed_5x8, "etch_font_fixed_5x8 etch_glyph_solid"},
+        {&etch_font_fixed_6x13, "etch_font_fixed_6x13 etch_glyph_solid"},
+        {&etch_font_fixed_9x15, "etch_font_fixed_9x15 etch_glyph_solid"},
+        {&etch_font_fixed_10x20, "etch_font_fixed_10x20 etch_glyph_solid"},
+        {&etch_font_sans_12, "etch_font_sans_12 etch_glyph_blend4"},
+        {&etch_font_sans_16, "etch_font_sans_16 etch_glyph_blend4"},
+        {&etch_font_sans_16_2bit, "etch_font_sans_16_2bit etch_glyph_blend2"},
+        {&etch_font_sans_24, "etch_font_sans_24 etch_glyph_blend4"},
+        {&etch_font_digits_40, "etch_font_digits_40 etch_glyph_blend4"},
+    };
+    size_t i = 0;
+
+    while (fonts[i].font != w->font) {
+        i++;
+    }
+    return fonts[i].needs;
+}
+
 static bool read_words(struct etch_scene_reader *reader,
                        const struct etch_scene_statement *statement)
 {
@@ -236,6 +261,7 @@ static bool read_words(struct etch_scene_reader *reader,
     }
     step->of.data = w;
     w->font = reader->font != NULL ? reader->font : &etch_font_fixed_6x13;
+    step->needs = needs_of(w);
     for (int i = 0; i < (box ? 4 : 2); i++) {
         if (!etch_text_integer(&reader->text, names[i], INT16_MIN, INT16_MAX, &value)) {
             return false;

@@ -1,5 +1,6 @@
 /* ports/host/scene_triangles.c: tri and ctri. scene.c finds them by name, scene_draw.c calls
  * what they append. */
+#include "scene_facts.h"
 #include "scene_steps.h"
 
 /* r g b a */
@@ -67,6 +68,7 @@ static void paint(struct etch_scene_run *run, const struct etch_scene_pipeline *
     } else if (run->pass != NULL) {
         etch_scene_pass_triangle(run, pipeline, corners);
     } else {
+        etch_scene_facts_triangle(run, pipeline, corners);
         etch_scene_painter(run, pipeline)(&run->surface, corners, etch_scene_kernel(run, pipeline));
     }
 }

@@ -31,8 +31,13 @@ static bool read_perspective(struct etch_scene_reader *reader,
 {
     (void)statement;
     reader->view.parallel = reader->view.canonical = reader->view.frustum = false;
-    return etch_text_q16(&reader->text, "degrees", &reader->view.angle_of_view) &&
-           read_range(reader);
+    if (!etch_text_q16(&reader->text, "degrees", &reader->view.angle_of_view) ||
+        !read_range(reader)) {
+        return false;
+    }
+    reader->scene->near = reader->view.near;
+    reader->scene->far = reader->view.far;
+    return true;
 }
 
 /* the sides of what is seen on the near plane, the eye anywhere before it */
