@@ -66,7 +66,8 @@ static void make_palette(struct packing *k)
     free(pixel);
 }
 
-/* palette[0] is a colour that no pixel has, pink if it can be. */
+/* palette[0] is a colour that no pixel has, pink if it can be. Where pixels have all 65536 it is
+ * pink, and choose() moves those aside. */
 static void make_key(struct packing *k)
 {
     const size_t count = (size_t)k->out->width * (size_t)k->out->height;
@@ -80,7 +81,7 @@ static void make_key(struct packing *k)
         used[etch_rgb565(rgb[0], rgb[1], rgb[2])] = !is_left_out(k, i) ||
                                                     used[etch_rgb565(rgb[0], rgb[1], rgb[2])];
     }
-    while (used[key])
+    for (int tries = 0; used[key] && tries < 65536; tries++) /* all of them lead back to pink */
         key = (key + 1) & 0xFFFF;
     k->out->palette[0] = (uint16_t)key;
     k->out->colors = 1;
@@ -102,7 +103,7 @@ static uint16_t choose(const struct packing *k, uint8_t shown[3], const int rgb[
         const uint16_t color = etch_rgb565((uint8_t)rgb[0], (uint8_t)rgb[1], (uint8_t)rgb[2]);
         const bool is_key = k->out->format->key && color == k->out->palette[0];
 
-        expand(shown, is_key ? color ^ 0x20 : color); /* one step of green away: dithering only */
+        expand(shown, is_key ? color ^ 0x20 : color); /* one step of green away */
         return is_key ? color ^ 0x20 : color;
     }
     found = first +

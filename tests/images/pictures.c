@@ -50,9 +50,31 @@ static int write_ramp(const char *dir, int width)
     return fclose(out);
 }
 
+/* Every colour of RGB565. */
+static int write_all(const char *dir)
+{
+    char path[4096];
+    FILE *out;
+
+    (void)snprintf(path, sizeof path, "%s/all.ppm", dir);
+    out = fopen(path, "wb");
+    if (out == NULL)
+        return 1;
+    fprintf(out, "P6 256 256 255\n");
+    for (int c = 0; c < 65536; c++) {
+        const int r = c >> 11, g = c >> 5 & 63, b = c & 31;
+        const uint8_t rgb[3] = {(uint8_t)(r << 3 | r >> 2), (uint8_t)(g << 2 | g >> 4),
+                                (uint8_t)(b << 3 | b >> 2)};
+
+        (void)fwrite(rgb, 1, 3, out);
+    }
+    return fclose(out);
+}
+
 int main(int argc, char **argv)
 {
     return argc != 2 || write_colors(argv[1], "c2.ppm", 2) != 0 ||
            write_colors(argv[1], "c4.ppm", 4) != 0 || write_colors(argv[1], "c16.ppm", 16) != 0 ||
-           write_ramp(argv[1], WIDTH) != 0 || write_ramp(argv[1], WIDTH + 1) != 0;
+           write_all(argv[1]) != 0 || write_ramp(argv[1], WIDTH) != 0 ||
+           write_ramp(argv[1], WIDTH + 1) != 0;
 }
