@@ -9,6 +9,8 @@
 
 #include "font_source.h"
 
+#define FAR 1000 /* beyond every pen: trimming moves a bitmap by FONT_SIDE at most */
+
 static struct font_source font = {.depth = 1};
 
 static int digit(char c)
@@ -50,17 +52,20 @@ static void read_bdf(FILE *in, const char *set)
             open = true, w = h = left = low = advance = 0;
         (void)sscanf(line, "DWIDTH %d", &advance);
         (void)sscanf(line, "BBX %d %d %d %d", &w, &h, &left, &low);
-        if (open && strncmp(line, "BITMAP", 6) == 0 && code >= 0 &&
+        if (open && strncmp(line, "BITMAP", 6) == 0 && code >= 0 && code <= 0x10FFFF &&
             font_set_has(set, (uint32_t)code)) {
             struct font_glyph *g = font_add(&font, (uint32_t)code, w, h);
 
+            if (left < -FAR || left > FAR || low < -FAR || low > FAR)
+                font_fail("a glyph is too far from its pen", "");
             g->left = left, g->top = h + low, g->advance = advance;
             read_bitmap(in, g);
             open = false;
         }
     }
-    font.line = font.ascent + font.descent;
-    if (font.ascent < 0 || font.descent < 0 || font.line < 1 || font.line > 255)
+    if (font.ascent >= 0 && font.ascent <= 255 && font.descent >= 0 && font.descent <= 255)
+        font.line = font.ascent + font.descent;
+    if (font.line < 1 || font.line > 255)
         font_fail("FONT_ASCENT and FONT_DESCENT are missing or too large", "");
 }
 
