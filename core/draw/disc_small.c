@@ -45,7 +45,7 @@ void etch_circle_fill_small(const struct etch_surface *s, int16_t cx, int16_t cy
     rows(s, cx, cy, r, color, true);
 }
 
-void etch_circle_outline_small(const struct etch_surface *s, int16_t cx, int16_t cy, int16_t r,
+void etch_circle_draw_small(const struct etch_surface *s, int16_t cx, int16_t cy, int16_t r,
                                uint16_t color)
 {
     rows(s, cx, cy, r, color, false);

@@ -1,4 +1,4 @@
-/* raster/octant.c: parts of an octant, and walks through it. Called by circle.c and circle_small.c. See octant.h. */
+/* raster/octant.c: parts of an octant, and walks through it. Called by circle.c. See octant.h. */
 #include "octant.h"
 
 /* ceil(sqrt(v)) and floor(sqrt(v)) for v <= 2^30 + 2^15; v <= 0 gives 0 and -1 below 0. */

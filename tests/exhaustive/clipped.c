@@ -1,6 +1,6 @@
 /* tests/exhaustive: every line and circle of a small grid under every clip rectangle. See grid.h. */
 #include "core/etch.h"
-#include "core/raster/circle_small.h"
+#include "core/draw/shapes_small.h"
 #include "core/raster/line_small.h"
 #include "grid.h"
 #include "tests/oracle/circle.h"

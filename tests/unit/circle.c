@@ -1,6 +1,7 @@
 /* tests/unit: circles and discs against their definition. */
 #include "core/draw/shapes.h"
-#include "core/raster/circle_small.h"
+#include "core/draw/shapes_small.h"
+#include "core/raster/circle.h"
 #include "tests/harness/canvas.h"
 #include "tests/oracle/circle.h"
 

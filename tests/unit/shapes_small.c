@@ -62,7 +62,7 @@ static void rectangles_are_those_of_rect_fill(void)
 static void compare_circle(int16_t x, int16_t y, int16_t r)
 {
     etch_circle_draw(&fast.surface, x, y, r, 7);
-    etch_circle_outline_small(&small.surface, x, y, r, 7);
+    etch_circle_draw_small(&small.surface, x, y, r, 7);
     if (!same())
         test_note("x", x), test_note("y", y), test_note("r", r);
     test_canvas_wipe(&fast);

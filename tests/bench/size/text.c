@@ -20,7 +20,7 @@ int main(void)
     etch_rect_fill_small(&s, 0, 0, 320, 240, 0x0000);
     etch_line_draw_small(&s, size_at[0], size_at[1], size_at[2], size_at[3], 0xFFFF);
     etch_rect_fill_small(&s, size_at[0], size_at[1], size_at[2], size_at[3], 0xFFFF);
-    etch_circle_outline_small(&s, size_at[0], size_at[1], size_at[2], 0xFFFF);
+    etch_circle_draw_small(&s, size_at[0], size_at[1], size_at[2], 0xFFFF);
     etch_circle_fill_small(&s, size_at[0], size_at[1], size_at[2], 0xFFFF);
     etch_triangle_fill_small(&s, size_at[0], size_at[1], size_at[2], size_at[3], size_at[4],
                              size_at[5], 0xFFFF);
