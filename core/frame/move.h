@@ -23,7 +23,7 @@ void etch_surface_scroll(const struct etch_surface *s, struct etch_rect area, in
                          int16_t dy, uint16_t color);
 
 /* Exclusive or of every pixel of the rectangle (x, y, w, h) with `mask`: the same call again takes it
- * away, whatever is below. For cursors and rubber bands; cursors of a shape: etch_row_bits_xor in
+ * away, whatever is below. For cursors and rubber bands; cursors of a shape: etch_row_index1_xor in
  * draw/image.h. */
 void etch_rect_xor(const struct etch_surface *s, int16_t x, int16_t y, int16_t w, int16_t h,
                    uint16_t mask);
