@@ -92,8 +92,8 @@ FORCE:
 
 # ---- tests ----------------------------------------------------------------------------------------
 
-TEST_STEPS  := unit stores golden cli readme features extremes
-CHECK_STEPS := test test-clang test32 test-size sanitize uninit symbols includes stack lint
+TEST_STEPS  := unit stores golden cli readme features extremes fuzz-replay
+CHECK_STEPS := test test-clang test32 test-size sanitize uninit symbols includes stack lint fuzz-check
 
 .PHONY: test
 test: $(UNIT_TEST) $(ETCH_SIM) ## all tests that need only gcc and make

@@ -1,10 +1,10 @@
-/* tests/unit: lines and circles at the extremes: from end to end of the plane, ties, reversed, radii from
- * the least to the greatest. Each against its definition, pixel by pixel. tests/EXTREMES.md lists what is
- * where. */
+/* tests/unit: lines and circles at the extremes: from end to end of the plane, ties, reversed,
+ * radii from the least to the greatest. Each against its definition, pixel by pixel.
+ * tests/EXTREMES.md lists what is where. */
 #include "core/draw/round.h"
 #include "core/draw/shapes.h"
 #include "core/raster/circle.h"
-#include "core/draw/shapes_small.h"
+#include "core/raster/circle_small.h"
 #include "core/raster/line.h"
 #include "core/raster/line_small.h"
 #include "tests/harness/canvas.h"
@@ -89,8 +89,8 @@ static void lines_of_one_pixel(void)
                0);
 }
 
-/* Every second pixel of a line of slope 1/2 is a tie, which goes to the side of the end with the smaller
- * major coordinate, whichever end comes first. */
+/* Every second pixel of a line of slope 1/2 is a tie, which goes to the side of the end with the
+ * smaller major coordinate, whichever end comes first. */
 static void ties_and_reversed(void)
 {
     test_canvas_open(&canvas, (struct etch_rect){0, 0, 7, 4});
@@ -169,8 +169,8 @@ static void circles_of_the_least_radii(void)
                            ".....");
 }
 
-/* Each of the four ends and four diagonals of the circle in turn over the screen; and centres at the
- * ends of the plane, from where it stays away or only touches. */
+/* Each of the four ends and four diagonals of the circle in turn over the screen; and centres at
+ * the ends of the plane, from where it stays away or only touches. */
 static void arcs_of_radius_32767_cross_the_screen(void)
 {
     static const struct etch_point centre[] = {

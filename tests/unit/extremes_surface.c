@@ -1,7 +1,7 @@
-/* tests/unit: surfaces and clip rectangles at the extremes: one pixel, one row or column as long as the
- * frame, rows further apart than they are wide; clips that are empty, inverted, beside the frame or larger
- * than it. What is drawn is what the definitions say, inside the clip and nowhere else. tests/EXTREMES.md
- * lists what is where. */
+/* tests/unit: surfaces and clip rectangles at the extremes: one pixel, one row or column as long as
+ * the frame, rows further apart than they are wide; clips that are empty, inverted, beside the
+ * frame or larger than it. What is drawn is what the definitions say, inside the clip and nowhere
+ * else. tests/EXTREMES.md lists what is where. */
 #include "core/draw/round.h"
 #include "core/draw/shapes.h"
 #include "core/raster/circle.h"
@@ -80,7 +80,8 @@ static bool expected(int shape, int32_t cx, int32_t cy, int32_t x, int32_t y)
     }
 }
 
-/* Draws every shape round (cx, cy) and compares all pixels of the window, and that the guards hold. */
+/* Draws every shape round (cx, cy) and compares all pixels of the window, and that the guards hold.
+ * */
 static void compare(const struct etch_surface *s, int16_t cx, int16_t cy)
 {
     const struct etch_rect *w = &s->window;
@@ -148,8 +149,8 @@ static void surfaces_1x32767(void)
     compare(&s, 0, LENGTH - 3);
 }
 
-/* Rows as far apart as they can be: what lies between them stays; depth and stencil have the layout of
- * the colours. 3 x 2 pixels, 16,384 elements from row to row. */
+/* Rows as far apart as they can be: what lies between them stays; depth and stencil have the layout
+ * of the colours. 3 x 2 pixels, 16,384 elements from row to row. */
 static void strides_larger_than_the_width(void)
 {
     static uint16_t depth[LENGTH];

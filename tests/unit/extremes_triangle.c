@@ -1,6 +1,7 @@
-/* tests/unit: triangles at the extremes: corners at the ends of their formats, no area, the thinnest
- * slivers, vertices on pixel centres, the whole screen inside. Each against the definition of coverage,
- * and against the count that can be told beforehand. tests/EXTREMES.md lists what is where. */
+/* tests/unit: triangles at the extremes: corners at the ends of their formats, no area, the
+ * thinnest slivers, vertices on pixel centres, the whole screen inside. Each against the definition
+ * of coverage, and against the count that can be told beforehand. tests/EXTREMES.md lists what is
+ * where. */
 #include "core/draw/shapes.h"
 #include "core/draw/triangle.h"
 #include "tests/harness/canvas.h"
@@ -89,8 +90,8 @@ static void corners_at_the_int16_limits(void)
     }
 }
 
-/* The least and the greatest 16.16, and the last that is snapped to another 1/256: the greatest goes
- * up to 32768.0. */
+/* The least and the greatest 16.16, and the last that is snapped to another 1/256: the greatest
+ * goes up to 32768.0. */
 static void corners_at_the_q16_limits(void)
 {
     static const int32_t end[] = {INT32_MIN, INT32_MIN + 128, INT32_MAX - 128, INT32_MAX};
@@ -144,8 +145,8 @@ static void no_area_draws_nothing(void)
 
 /* ---- slivers --------------------------------------------------------------------------------- */
 
-/* A right triangle 32,767 px long and 1/256 px thick, lying (or standing, `turn`) with its long side
- * at `at`, on the side before or behind it. `expected` of the window's centres are on it. */
+/* A right triangle 32,767 px long and 1/256 px thick, lying (or standing, `turn`) with its long
+ * side at `at`, on the side before or behind it. `expected` of the window's centres are on it. */
 static void sliver(int32_t at, int32_t thick, bool turn, int32_t expected)
 {
     const int32_t along[3] = {-4194304, 4194048, 4194048};
@@ -165,8 +166,8 @@ static void slivers_on_pixel_centres(void)
     sliver(1152, -1, true, 0);
 }
 
-/* 1/256 px thick, the slanted side reaches the centres at its end only, which is far away. 2/256 px thick
- * it crosses them half way, at x = -1/2 (or y): the window is all behind that. */
+/* 1/256 px thick, the slanted side reaches the centres at its end only, which is far away. 2/256 px
+ * thick it crosses them half way, at x = -1/2 (or y): the window is all behind that. */
 static void slivers_beside_pixel_centres(void)
 {
     test_canvas_open(&canvas, windows[0]);
@@ -192,8 +193,8 @@ static void slivers_between_pixel_centres(void)
         }
 }
 
-/* Along the diagonal through centres: it is a left edge of the triangle above it, which has them, and a
- * right edge of the one below. */
+/* Along the diagonal through centres: it is a left edge of the triangle above it, which has them,
+ * and a right edge of the one below. */
 static void slivers_along_the_diagonal(void)
 {
     const int32_t far = 4194048, x[3] = {128 - far, 128 + far, 128 + far};
@@ -210,8 +211,9 @@ static void slivers_along_the_diagonal(void)
 
 /* ---- vertices on centres --------------------------------------------------------------------- */
 
-/* Eight triangles that meet in the centre of pixel (8, 6), from all sides: that pixel belongs to the
- * one below and right of it that has it on top or left edges, and every pixel of the square to one. */
+/* Eight triangles that meet in the centre of pixel (8, 6), from all sides: that pixel belongs to
+ * the one below and right of it that has it on top or left edges, and every pixel of the square to
+ * one. */
 static void vertices_on_centres_from_all_sides(void)
 {
     static const int8_t dx[] = {4, 4, 0, -4, -4, -4, 0, 4}, dy[] = {0, 4, 4, 4, 0, -4, -4, -4};
