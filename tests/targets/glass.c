@@ -1,6 +1,7 @@
 /* tests/targets: glass PANEL TURN RULE .. <trace: what a panel shows after the register writes of a
  * board, as QEMU logs them (-trace memory_region_ops_write). Writes the frame, as a viewer sees it,
- * as big-endian RGB565 to standard output; an error of the panel ends it.
+ * as big-endian RGB565 to standard output; an error of the panel ends it, or a panel left selected,
+ * which would take what is meant for others on its bus.
  *
  * Rules name what a write to an address means. PIN is data (D/C), select or reset; it is driven by
  * the level of a bit, or by writing ones to a register that sets or clears it:
@@ -137,6 +138,10 @@ int main(int argc, char **argv)
     read_trace();
     if (panel.error[0] != '\0') {
         fprintf(stderr, "%s: %s\n", argv[1], panel.error);
+        return 1;
+    }
+    if (has_select && !level[SELECT]) {
+        fprintf(stderr, "%s: still selected at the end\n", argv[1]);
         return 1;
     }
     show((uint8_t)atoi(argv[2]));

@@ -17,7 +17,7 @@ enum {
     PIN_CS = 5,
     PIN_DATA = 16,
     PIN_RESET = 17,
-    LIMIT = 320 * 16 * 2
+    LIMIT = 320 * 6 * 2 /* three pieces of a strip, not all of one size */
 };
 
 static spi_transaction_t *queued;
