@@ -183,7 +183,7 @@ check: ## all that CI runs
 DEPS := gcc make libc6-dev gcc-multilib clang clang-tidy clang-format libclang-rt-dev cppcheck \
         gcc-arm-none-eabi gcc-avr gcc-riscv64-unknown-elf qemu-system-arm qemu-system-misc valgrind \
         simavr libsimavr-dev libelf-dev avr-libc nodejs qemu-user-static lld llvm python3 universal-ctags \
-        libpng-dev g++ frama-c-base why3 z3
+        libpng-dev g++ frama-c-base why3 z3 gappa
 SUDO = $(if $(filter 0,$(shell id -u)),,sudo)
 .PHONY: deps
 deps: ## installs what `make check` and the benchmarks need (Debian, Ubuntu)

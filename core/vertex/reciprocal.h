@@ -14,7 +14,7 @@ ETCH_INLINE uint32_t etch_reciprocal_by_division(uint32_t d)
 /* This one makes five products, 30 instructions on ARMv6-M where a division is 100 or more. A line
  * through 48/17 - 32/17 d is at most 1/17 off; each of two steps of Newton's iteration,
  * r + r (1 - r d / 2^32), squares that, and r is then 0 .. 2 too small, which its remainder says.
- * |error| <= 2^32 / 17 and r < 2^17, so both factors are below 2^15. */
+ * |error| < 2^28 and r < 2^17, so both factors are below 2^15. */
 ETCH_INLINE uint32_t etch_reciprocal_by_iteration(uint32_t d)
 {
     uint32_t r = 185043 - (d * 61681 >> 15);
