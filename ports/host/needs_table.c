@@ -271,10 +271,9 @@ const struct etch_needs_name etch_needs_name[] = {
     {"etch_chunk_pixel", 1018, 0, 0},
     {"etch_chunk_set_pixel", 1018, 0, 0},
     {"etch_circle_draw", 650, 272, 0},
-    {"etch_circle_draw_small", 651, 152, 0},
+    {"etch_circle_draw_small", 40, 144, 0},
     {"etch_circle_fill", 36, 272, 248},
     {"etch_circle_fill_small", 39, 144, 0},
-    {"etch_circle_outline_small", 40, 144, 0},
     {"etch_circle_runs", 666, 240, 216},
     {"etch_circle_whole", 652, 88, 0},
     {"etch_clip_line", 876, 600, 0},
@@ -1170,4 +1169,4 @@ const struct etch_needs_name etch_needs_name[] = {
     {"etch_wrap_sub_u64", 1018, 0, 0},
     {"etch_wrap_up", 1018, 0, 0},
 };
-const size_t etch_needs_part_count = 1019, etch_needs_name_count = 954;
+const size_t etch_needs_part_count = 1019, etch_needs_name_count = 953;
