@@ -22,7 +22,7 @@ for file in ${PROVE:-tests/prove/*.gappa}; do
     done <"$build/$name.take"
     # A rewriting rule that gappa cannot check is an assumption: it warns, here that is a failure.
     if gappa "$build/$name.g" >"$build/$name.log" 2>&1 &&
-        ! grep Warning "$build/$name.log" | grep -qv "assumed to be nonzero"; then
+        ! grep -q "not trivially equal" "$build/$name.log"; then
         echo "$name: proved by gappa"
         passed=$((passed + 1))
     else
