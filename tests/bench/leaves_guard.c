@@ -12,6 +12,7 @@
 
 #include "../../core/fragment/flat.h"
 #include "../../core/fragment/gouraud.h"
+#include "../../core/raster/edge.h"
 #include "../../core/vertex/viewport.h"
 
 #define GUARD 65536 /* bytes, a multiple of every page size */
@@ -166,6 +167,42 @@ static bool projection_differs(void)
            a.b != b.b || a.a != b.a;
 }
 
+int16_t *portable_etch_edge_run(struct etch_point_q8 a, struct etch_point_q8 b, int16_t *out,
+                                int32_t n);
+
+/* From (128 + 256 i, 128 - k) an edge crosses row K, counted from its first, (k + 256 K) dx / (256 dy)
+ * from a pixel's centre. Edges that do so in a centre or the least possible distance beside one,
+ * 1 / (256 dy): in their first row, in every third by a slope that binary fractions miss, and in any. */
+static struct etch_point_q8 hostile_edge(int32_t *k)
+{
+    const uint32_t row = 1 + below(ETCH_RUN_BLOCK - 1), most = (1U << 22) / (1 + 256 * row);
+    const int32_t q = (int32_t)below(most), third = 1 + (int32_t)below(1U << below(20));
+    const int32_t dy = 1 + (int32_t)below(1U << below(22)), side = below(2) == 0 ? 1 : -1;
+
+    *k = 1;
+    switch (below(3)) {
+    case 0: return (struct etch_point_q8){(int32_t)below(3) - 1, dy};
+    case 1: *k = 0; return (struct etch_point_q8){side * third, 3 * third};
+    default: /* (1 + 256 row) dx = 1 + 256 dy */
+        return (struct etch_point_q8){side * (1 + 256 * q),
+                                      q + (int32_t)row + 256 * (int32_t)row * q};
+    }
+}
+
+static bool edge_differs(void)
+{
+    int16_t leaf[2 * ETCH_RUN_BLOCK] = {0}, portable[2 * ETCH_RUN_BLOCK] = {0};
+    const int32_t n = 1 + (int32_t)below(ETCH_RUN_BLOCK);
+    int32_t k;
+    const struct etch_point_q8 d = hostile_edge(&k);
+    const struct etch_point_q8 a = {128 + 256 * signed_of(10), 128 - k + 256 * signed_of(10)};
+    const struct etch_point_q8 b = {a.x + d.x, a.y + d.y};
+
+    return etch_edge_run(a, b, leaf, n) - leaf !=
+               portable_etch_edge_run(a, b, portable, n) - portable ||
+           memcmp(leaf, portable, sizeof leaf) != 0;
+}
+
 int main(void)
 {
     static uint16_t copies[2][LARGEST / 2];
@@ -187,9 +224,15 @@ int main(void)
             printf("projection %u differs\n", (unsigned)i);
             return 1;
         }
+    for (uint32_t i = 0; i < 100 * calls; i++)
+        if (edge_differs()) {
+            printf("edge %u differs\n", (unsigned)i);
+            return 1;
+        }
     if (projected < 10 * calls)
         return 1;
-    printf("%u guarded calls of %u kernels and %u projections do what the portable C does\n",
-           (unsigned)(calls * count), (unsigned)count, (unsigned)projected);
+    printf(
+        "%u guarded calls of %u kernels, %u projections and %u edges do what the portable C does\n",
+        (unsigned)(calls * count), (unsigned)count, (unsigned)projected, (unsigned)(100 * calls));
     return 0;
 }
