@@ -3,7 +3,6 @@
 
 #include "core/draw/shapes_small.h"
 #include "core/draw/triangle_small.h"
-#include "core/raster/circle_small.h"
 #include "core/raster/line_small.h"
 
 typedef const struct etch_surface surface;
@@ -197,7 +196,6 @@ const struct fuzz_row fuzz_shape_rows[] = {
     ROW(etch_point_draw, point),
     ROW(etch_circle_draw, place_size),
     ROW(etch_circle_draw_small, place_size),
-    ROW(etch_circle_outline_small, place_size),
     ROW(etch_circle_fill, place_size),
     ROW(etch_circle_fill_small, place_size),
     ROW(etch_hline_draw, place_size),

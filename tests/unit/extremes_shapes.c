@@ -4,7 +4,7 @@
 #include "core/draw/round.h"
 #include "core/draw/shapes.h"
 #include "core/raster/circle.h"
-#include "core/raster/circle_small.h"
+#include "core/draw/shapes_small.h"
 #include "core/raster/line.h"
 #include "core/raster/line_small.h"
 #include "tests/harness/canvas.h"
