@@ -97,7 +97,7 @@ static void draw(const struct etch_scene *scene, int16_t rows, uint16_t *shown,
 static void draw_both(const struct etch_scene *scene)
 {
     static uint16_t whole[MOST_PIXELS], strips[MOST_PIXELS];
-    struct etch_scene_stats stats = {0, 0, 0};
+    struct etch_scene_stats stats = {.triangles = 0};
     const size_t bytes = (size_t)scene->width * (size_t)scene->height * sizeof whole[0];
 
     draw(scene, scene->height, whole, NULL);
