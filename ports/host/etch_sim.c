@@ -62,7 +62,7 @@ static int run(const struct etch_options *o, const struct etch_scene *scene,
 
     s.rows = rows == 0 || rows > scene->height ? scene->height : (int16_t)rows;
     if (o->needs) {
-        return etch_report_needs(&s)
+        return etch_report_needs(&s) && etch_report_modes(&s, o->scene)
                    ? 0
                    : failed((etch_error_set(error, o->scene, 0, "out of memory"), error));
     }

@@ -11,4 +11,7 @@ void etch_report_stats(const struct etch_simulation *simulation);
  * holds, and what of that the scene would look the same without; no output is written. False without memory. */
 bool etch_report_needs(const struct etch_simulation *simulation);
 
+/* Also --needs: the scene, read once more from `path`, in other modes against the exact one. */
+bool etch_report_modes(const struct etch_simulation *simulation, const char *path);
+
 #endif

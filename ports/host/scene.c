@@ -186,18 +186,13 @@ static void set_defaults(struct etch_scene_reader *reader)
     etch_material_init(&reader->view.surface);
 }
 
-bool etch_scene_open(struct etch_scene *scene, const char *path, struct etch_error *error)
-{
-    return etch_scene_open_in(scene, path, -1, error);
-}
-
-bool etch_scene_open_in(struct etch_scene *scene, const char *path, int format,
-                        struct etch_error *error)
+static bool open_as(struct etch_scene *scene, const char *path, int format,
+                    const struct etch_scene_modes *modes, struct etch_error *error)
 {
     struct etch_scene_reader *reader = calloc(1, sizeof *reader);
     bool ok;
 
-    *scene = (struct etch_scene){0};
+    *scene = (struct etch_scene){.modes = modes};
     error->text[0] = '\0';
     if (reader == NULL) {
         return etch_error_set(error, path, 0, "out of memory");
@@ -229,6 +224,23 @@ bool etch_scene_open_in(struct etch_scene *scene, const char *path, int format,
         etch_scene_close(scene);
     }
     return ok;
+}
+
+bool etch_scene_open(struct etch_scene *scene, const char *path, struct etch_error *error)
+{
+    return etch_scene_open_in(scene, path, -1, error);
+}
+
+bool etch_scene_open_in(struct etch_scene *scene, const char *path, int format,
+                        struct etch_error *error)
+{
+    return open_as(scene, path, format, NULL, error);
+}
+
+bool etch_scene_open_modes(struct etch_scene *scene, const char *path,
+                           const struct etch_scene_modes *modes, struct etch_error *error)
+{
+    return open_as(scene, path, -1, modes, error);
 }
 
 void etch_scene_close(struct etch_scene *scene)

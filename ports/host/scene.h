@@ -13,6 +13,7 @@ struct etch_scene_mesh;
 struct etch_scene_texture;
 struct etch_scene_passes;
 struct etch_scene_facts;
+struct etch_scene_modes;
 
 struct etch_scene {
     int16_t width, height;
@@ -25,6 +26,8 @@ struct etch_scene {
     int32_t near, far;   /* 16.16, of the latest perspective; 0 without one */
     char **file;         /* what it reads beside itself: meshes, textures */
     size_t file_count;
+
+    const struct etch_scene_modes *modes; /* the caller's, or NULL */
 
     /* Private. */
     struct etch_scene_step *step;
@@ -46,6 +49,17 @@ bool etch_scene_open(struct etch_scene *scene, const char *path, struct etch_err
  * the scene's. */
 bool etch_scene_open_in(struct etch_scene *scene, const char *path, int format,
                         struct etch_error *error);
+
+/* Modes in place of those that the scene's triangles have; precise without any of these. */
+struct etch_scene_modes {
+    bool exact, dither, inverse; /* one at most; without textures */
+    bool perspective;            /* of textures that have it: else affine */
+    uint8_t texture;             /* state mode: 0 a divide a pixel, 1 every 16, 3 every 8 */
+};
+
+/* The same, the precise ones drawn in other modes where that can be. */
+bool etch_scene_open_modes(struct etch_scene *scene, const char *path,
+                           const struct etch_scene_modes *modes, struct etch_error *error);
 
 /* Gives the memory back. */
 void etch_scene_close(struct etch_scene *scene);

@@ -139,18 +139,46 @@ static const struct etch_scene_pipeline *find_usual(struct etch_scene_reader *re
     return pipeline != NULL ? pipeline : take_staged(reader, differs);
 }
 
+/* Puts the modes that are asked for in place of the scene's, where the state can be drawn in them. */
+static void take_modes(struct etch_scene_reader *reader, struct etch_scene_differs differs)
+{
+    const struct etch_scene_modes *modes = reader->scene->modes;
+    struct etch_scene_state state = reader->state;
+    const bool straight = state.shade != 0 || state.persp == 0 || !differs.w || !differs.color;
+
+    if (modes == NULL || etch_scene_mode_is_special(&state)) {
+        return;
+    }
+    if (state.tex != 0) {
+        state.mode = modes->texture;
+        state.persp = state.persp != 0 && modes->perspective;
+    } else {
+        state.mode = modes->exact ? 2 : 0;
+        state.dither = modes->dither;
+        state.depth = modes->inverse;
+        if (!straight || etch_scene_pipeline_find_mode(&state) == NULL) {
+            return;
+        }
+    }
+    reader->state = state;
+}
+
 const struct etch_scene_pipeline *
 etch_scene_read_triangle_pipeline(struct etch_scene_reader *reader,
                                   struct etch_scene_differs differs)
 {
+    const struct etch_scene_state state = reader->state;
     const struct etch_scene_pipeline *pipeline;
 
+    take_modes(reader, differs);
     if (etch_scene_mode_is_special(&reader->state)) {
         pipeline = find_special(reader, differs);
     } else {
         pipeline = find_usual(reader, differs);
     }
-    return note_planes(reader, pipeline);
+    pipeline = note_planes(reader, pipeline);
+    reader->state = state;
+    return pipeline;
 }
 
 const struct etch_scene_pipeline *etch_scene_read_line_pipeline(struct etch_scene_reader *reader)

@@ -34,3 +34,12 @@ printf 'scene 8 8\nline 0 0 5 5 9 9 9\n' >"$out/little.scene"
 printf 'scene 8 8\nline 0 0 5 5 9 9 9\ndisc 4 4 3 9 9 9\n' >"$out/more.scene"
 [ "$(flash "$out/little.scene")" -gt 1000 ] && [ "$(flash "$out/more.scene")" -gt "$(flash "$out/little.scene")" ] &&
     pass || fail "flash of a line: $(flash "$out/little.scene"), and a disc: $(flash "$out/more.scene")"
+
+# Modes against the exact one.
+needs 'colours dithered' 'mode       precise dithered: [1-9][0-9]* pixels are not as exact ones.* 1 at most; 26.6 .*' \
+    "scene 8 8\ntri 0 0 0 1 10 20 30 255 0 0  8 0 0 1 90 80 70 255 0 0  0 8 0 1 0 90 10 255 0 0\n"
+needs 'an affine texture' 'mode       affine: [1-9][0-9]* pixels are not as exact ones.*' \
+    "scene 32 32\nstate tex replace\nstate persp 1\ntexture 4 1 FF0000 00FF00 0000FF FFFFFF
+tri 0 0 0 1 9 9 9 255 0 0  32 0 0 8 9 9 9 255 4 0  0 32 0 1 9 9 9 255 0 0\n"
+needs 'a divide a pixel' 'mode       divide every pixel: 0 pixels are not as exact ones.*' "$(cat "$out/needs.scene")\n"
+sim "$out/little.scene" --needs | grep -q '^mode' && fail 'modes of a line' || pass
