@@ -34,10 +34,11 @@ const struct etch_scene_statement *etch_scene_read_fill_way(struct etch_scene_re
 
 /* ---- edge inversion -------------------------------------------------------------------------- */
 
+/* A column more than the frame: samples that pixels share have it. */
 bool etch_scene_open_inversion(struct etch_scene_reader *reader, struct etch_scene_polygon *p)
 {
-    p->bits = etch_scene_data(reader,
-                              ETCH_EDGE_FLAGS_BYTES(reader->scene->width, reader->scene->height));
+    p->bits = etch_scene_data(
+        reader, ETCH_EDGE_FLAGS_BYTES(reader->scene->width + 1, reader->scene->height));
     return p->bits != NULL;
 }
 
@@ -50,7 +51,7 @@ static void draw_inversion(struct etch_scene_run *run, const struct etch_scene_s
     struct etch_edge_flags flags;
 
     if (etch_edge_flags_init(&flags, run->surface.clip, p->bits,
-                             ETCH_EDGE_FLAGS_BYTES(run->scene->width, run->scene->height)) !=
+                             ETCH_EDGE_FLAGS_BYTES(run->scene->width + 1, run->scene->height)) !=
         ETCH_OK) {
         return; /* the clip is empty */
     }
