@@ -34,10 +34,10 @@
  *              ETCH_ASSERT, which is empty unless the build defines it.
  *
  * Where to go on: base/surface.h (the memory), draw/shapes.h, draw/round.h, draw/polygon.h and
- * raster/line.h (2D), draw/triangle.h and draw/texture.h (shaded and textured triangles, the fast kernels),
- * draw/staged.h and fragment/sampler.h (any state: stencil, fog, blending, any texture), draw/mesh.h,
- * vertex/lamp.h and vertex/elements.h (3D), draw/retained.h (geometry kept over the strips of a
- * frame), frame/multisample.h (anti-aliasing), base/paint.h, fragment/template.h and
+ * raster/line.h (2D), draw/triangle.h and draw/texture.h (shaded and textured triangles, the fast
+ * kernels), draw/staged.h and fragment/sampler.h (any state: stencil, fog, blending, any texture),
+ * draw/mesh.h, vertex/lamp.h and vertex/elements.h (3D), draw/retained.h (geometry kept over the
+ * strips of a frame), frame/multisample.h (anti-aliasing), base/paint.h, fragment/template.h and
  * fragment/stage.h (your own pixel work). README.md beside this file lists every function.
  * Functions called .._small do the same in less flash and more time; their headers, named
  * likewise, are included by name. The loops in leaf/ replace portable files of the same functions

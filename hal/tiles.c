@@ -6,9 +6,9 @@
 #define UNKNOWN 0U
 
 /* One pixel more: a bijection of the state for each pixel, so tiles that differ in one pixel
- * have different hashes (but that 0 becomes 1). Source: the multiply and the fold of FNV-1a (G. Fowler, L. Noll, K.-P. Vo,
- * 1991) with the multiplier of D. Knuth's multiplicative hashing, 2^32 / golden ratio, which
- * unlike FNV's prime carries every input bit into the upper half at once. */
+ * have different hashes (but that 0 becomes 1). Source: the multiply and the fold of FNV-1a (G.
+ * Fowler, L. Noll, K.-P. Vo, 1991) with the multiplier of D. Knuth's multiplicative hashing, 2^32 /
+ * golden ratio, which unlike FNV's prime carries every input bit into the upper half at once. */
 static uint32_t mix(uint32_t hash, uint16_t pixel)
 {
     hash = etch_wrap_mul(hash ^ pixel, UINT32_C(2654435769));

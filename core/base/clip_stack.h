@@ -23,14 +23,14 @@ struct etch_clip_stack {
 
 void etch_clip_stack_init(struct etch_clip_stack *stack, struct etch_rect *saved, uint16_t room);
 
-/* Keeps the clip and narrows it to its part inside `clip`, whatever that is. ETCH_ENOMEM without room:
- * the clip then stays as it is, and so it does at the pop of this push, so that pairs stay pairs (up
- * to 65535 lost ones; more are not counted). */
+/* Keeps the clip and narrows it to its part inside `clip`, whatever that is. ETCH_ENOMEM without
+ * room: the clip then stays as it is, and so it does at the pop of this push, so that pairs stay
+ * pairs (up to 65535 lost ones; more are not counted). */
 enum etch_status etch_clip_push(struct etch_surface *s, struct etch_clip_stack *stack,
                                 struct etch_rect clip);
 
-/* The clip before the latest push that has not been popped. ETCH_EINVAL if there is none; nothing is
- * changed then. */
+/* The clip before the latest push that has not been popped. ETCH_EINVAL if there is none; nothing
+ * is changed then. */
 enum etch_status etch_clip_pop(struct etch_surface *s, struct etch_clip_stack *stack);
 
 #endif

@@ -11,9 +11,9 @@ struct etch_copy {
     size_t to_stride, from_stride; /* elements from one row to the next */
 };
 
-/* Copies `rows` rows of n elements; n and rows are 1 or more. The two may overlap if the strides are
- * equal: what arrives is what was there before. Cost on ARMv6-M, in long rows: 1.3 instructions an
- * element where both rows begin on the same side of a word, else 2.5. */
+/* Copies `rows` rows of n elements; n and rows are 1 or more. The two may overlap if the strides
+ * are equal: what arrives is what was there before. Cost on ARMv6-M, in long rows: 1.3 instructions
+ * an element where both rows begin on the same side of a word, else 2.5. */
 void etch_copy_rows(const struct etch_copy *c, uint32_t n, uint32_t rows);
 
 /* One row of n elements, 1 or more, from the first to the last: `to` may lie below `from`. */

@@ -5,10 +5,10 @@
  *
  *      N(x, y) = sum value[i] e_i(x, y) = origin + x dx + y dy,    e_i the edge functions
  *
- * all integers. The exact modes step a plane of 32 bits (paint.h), which is within a known distance of
- * N / D. Where that distance decides nothing, it decides; where a step of the output is nearer than
- * that, N says on which side of it the value lies. Only differences of less
- * than 2^63 count there, so N is kept modulo 2^64, whatever it may be: no wider number, and no division.
+ * all integers. The exact modes step a plane of 32 bits (paint.h), which is within a known distance
+ * of N / D. Where that distance decides nothing, it decides; where a step of the output is nearer
+ * than that, N says on which side of it the value lies. Only differences of less than 2^63 count
+ * there, so N is kept modulo 2^64, whatever it may be: no wider number, and no division.
  */
 #ifndef ETCH_BASE_EXACT_H
 #define ETCH_BASE_EXACT_H

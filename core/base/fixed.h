@@ -22,7 +22,8 @@
 #if defined(__GNUC__)
 #define ETCH_INLINE static inline __attribute__((always_inline, unused))
 #define ETCH_COLD __attribute__((noinline, cold))
-/* Never inlined, so that its locals do not stand on the stack under all else that its caller calls. */
+/* Never inlined, so that its locals do not stand on the stack under all else that its caller calls.
+ */
 #define ETCH_APART __attribute__((noinline))
 /* Makes the compiler take the value of a local as it stands, so that in a hot loop it neither
  * rearranges sums nor computes them a second time. No instruction. */
@@ -108,8 +109,8 @@ ETCH_INLINE int32_t etch_mul_high(int32_t a, int32_t b)
 }
 #endif
 
-/* Leading zero bits of v; 32 for 0. The same in two forms: by an instruction where the core has one,
- * else some 20 instructions on ARMv6-M. */
+/* Leading zero bits of v; 32 for 0. The same in two forms: by an instruction where the core has
+ * one, else some 20 instructions on ARMv6-M. */
 #if defined(__GNUC__) && (defined(__x86_64__) || defined(__aarch64__) || defined(__ARM_FEATURE_CLZ))
 ETCH_INLINE uint8_t etch_leading_zeros(uint32_t v)
 {

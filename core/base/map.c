@@ -1,5 +1,5 @@
-/* base/map.c: the part of a row that shows an image. Called once a row by what draws images and makes
- * runs of them. See map.h. */
+/* base/map.c: the part of a row that shows an image. Called once a row by what draws images and
+ * makes runs of them. See map.h. */
 #include "map.h"
 
 /* The first k >= 0 with c + k d >= 0, at most `most`; d > 0. */

@@ -1,4 +1,5 @@
-/* base/map_bounds.c: the rectangle that a map draws in. Called by the makers of maps. See map_parts.h. */
+/* base/map_bounds.c: the rectangle that a map draws in. Called by the makers of maps. See
+ * map_parts.h. */
 #include "map_parts.h"
 
 void etch_map_nothing(struct etch_map *map)

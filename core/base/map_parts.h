@@ -7,8 +7,8 @@
 /* A map that draws nothing. */
 void etch_map_nothing(struct etch_map *map);
 
-/* Bounds that hold the corners of `from`, carried over by `a` and moved by (x, y) instead of its own,
- * and two pixels more; 16.16. */
+/* Bounds that hold the corners of `from`, carried over by `a` and moved by (x, y) instead of its
+ * own, and two pixels more; 16.16. */
 struct etch_rect etch_map_bounds(struct etch_rect from, const struct etch_affine *a, int64_t x,
                                  int64_t y);
 

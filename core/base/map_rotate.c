@@ -1,4 +1,5 @@
-/* base/map_rotate.c: an image turned and scaled about a point. Called by applications. See map.h. */
+/* base/map_rotate.c: an image turned and scaled about a point. Called by applications. See map.h.
+ */
 #include "map_parts.h"
 #include "trig.h"
 

@@ -1,10 +1,10 @@
-/* base/map_scale.c: an image stretched over a rectangle. Called by applications and nine-patches. See
- * map.h. */
+/* base/map_scale.c: an image stretched over a rectangle. Called by applications and nine-patches.
+ * See map.h. */
 #include "map_parts.h"
 
-/* ceil(n 2^32 / d) for n, d = 1 .. 65534. Nearest: with step and start rounded up, pixel i errs by less
- * than (i + 1) 2^-32 <= 2^-17 to the right; its exact place is a multiple of 1/(2 w) >= 1/65534, so the
- * whole part is exact. */
+/* ceil(n 2^32 / d) for n, d = 1 .. 65534. Nearest: with step and start rounded up, pixel i errs by
+ * less than (i + 1) 2^-32 <= 2^-17 to the right; its exact place is a multiple of 1/(2 w) >=
+ * 1/65534, so the whole part is exact. */
 static int64_t ratio(int32_t n, int32_t d)
 {
     const uint64_t up = (uint64_t)n << 32;
@@ -12,7 +12,8 @@ static int64_t ratio(int32_t n, int32_t d)
     return (int64_t)etch_divide_u64(up + (uint32_t)d - 1, (uint64_t)d).quotient;
 }
 
-/* One axis: texels from .. to - 1 over `size` pixels from `at` on. Returns the step, and where pixel 0 is. */
+/* One axis: texels from .. to - 1 over `size` pixels from `at` on. Returns the step, and where
+ * pixel 0 is. */
 static int64_t axis(int32_t from, int32_t to, int32_t at, int32_t size, int64_t *start)
 {
     const int64_t step = ratio(to - from, size);

@@ -1,4 +1,5 @@
-/* base/sink.h: what the vertex stage hands on, a stream of screen-space triangles, lines and points.
+/* base/sink.h: what the vertex stage hands on, a stream of screen-space triangles, lines and
+ * points.
  *
  * The sink that rasterises is in draw/mesh.h. One that stores the primitives gives geometry
  * kept per frame, feedback or selection. A vertex with more to it (texture coordinates, a normal)

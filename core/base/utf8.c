@@ -1,8 +1,8 @@
 /* base/utf8.c: the decoder. Called for each character of a text. See utf8.h. */
 #include "utf8.h"
 
-/* What may follow a first byte C2 .. F4: how many bytes, and which the second may be (RFC 3629): the
- * narrower ranges leave out overlong forms, surrogates and what is above U+10FFFF. */
+/* What may follow a first byte C2 .. F4: how many bytes, and which the second may be (RFC 3629):
+ * the narrower ranges leave out overlong forms, surrogates and what is above U+10FFFF. */
 struct tail {
     uint8_t count, least, most;
 };

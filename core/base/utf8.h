@@ -12,10 +12,10 @@ ETCH_INLINE bool etch_utf8_ended(const char *text, const char *end)
     return text == end || *text == '\0';
 }
 
-/* Takes one code point from *text, which has not ended, and moves *text behind it. Bytes that are no
- * UTF-8 (stray or cut sequences, overlong forms, surrogates, above U+10FFFF) give ETCH_UTF8_BAD, one
- * for each longest part that could have begun a sequence; so every byte is taken, none twice, and
- * nothing behind the end is read. */
+/* Takes one code point from *text, which has not ended, and moves *text behind it. Bytes that are
+ * no UTF-8 (stray or cut sequences, overlong forms, surrogates, above U+10FFFF) give ETCH_UTF8_BAD,
+ * one for each longest part that could have begun a sequence; so every byte is taken, none twice,
+ * and nothing behind the end is read. */
 uint32_t etch_utf8_next(const char **text, const char *end);
 
 #endif

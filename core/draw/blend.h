@@ -1,5 +1,6 @@
-/* draw/blend.h: triangles blended over what is there, without depth, in one loop a pixel. Painters as
- * those of draw/triangle.h, with the kernels of fragment/blend_fused.h; everything else: staged.h. */
+/* draw/blend.h: triangles blended over what is there, without depth, in one loop a pixel. Painters
+ * as those of draw/triangle.h, with the kernels of fragment/blend_fused.h; everything else:
+ * staged.h. */
 #ifndef ETCH_DRAW_BLEND_H
 #define ETCH_DRAW_BLEND_H
 

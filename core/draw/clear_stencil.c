@@ -1,5 +1,5 @@
-/* draw/clear_stencil.c: the stencil plane through the clip. Called by applications at the start of a
- * frame. See shapes.h. */
+/* draw/clear_stencil.c: the stencil plane through the clip. Called by applications at the start of
+ * a frame. See shapes.h. */
 #include "shapes.h"
 
 void etch_stencil_clear(const struct etch_surface *s, uint8_t value)

@@ -46,7 +46,7 @@ void etch_circle_fill_small(const struct etch_surface *s, int16_t cx, int16_t cy
 }
 
 void etch_circle_draw_small(const struct etch_surface *s, int16_t cx, int16_t cy, int16_t r,
-                               uint16_t color)
+                            uint16_t color)
 {
     rows(s, cx, cy, r, color, false);
 }

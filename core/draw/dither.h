@@ -8,8 +8,8 @@
 #include "../fragment/dither.h"
 #include "triangle.h"
 
-/* In the colour of v[0], with etch_kernel_gouraud_dither, or _less and _lequal with depth. Each channel
- * is dithered between the two nearest steps: fragment/dither.h has the bound. */
+/* In the colour of v[0], with etch_kernel_gouraud_dither, or _less and _lequal with depth. Each
+ * channel is dithered between the two nearest steps: fragment/dither.h has the bound. */
 etch_triangle_painter etch_triangle_flat_dither;
 etch_triangle_painter etch_triangle_flat_depth_dither;
 

@@ -7,8 +7,8 @@
  *      etch_triangle_gouraud_exact           etch_kernel_gouraud_exact
  *      etch_triangle_gouraud_depth_exact     etch_kernel_gouraud_exact_less, _lequal
  *
- * or, for surfaces in rgb565_swapped, the kernels called .._swapped, and for flat triangles the painter
- * of that name. What it costs over the precise mode: tests/tradeoff/README.md.
+ * or, for surfaces in rgb565_swapped, the kernels called .._swapped, and for flat triangles the
+ * painter of that name. What it costs over the precise mode: tests/tradeoff/README.md.
  */
 #ifndef ETCH_DRAW_EXACT_H
 #define ETCH_DRAW_EXACT_H

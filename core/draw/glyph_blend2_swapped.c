@@ -1,5 +1,5 @@
-/* draw/glyph_blend2_swapped.c: glyphs of 2 bits a pixel over what is there, byte-swapped. Called for each glyph of a
- * line. See text.h. */
+/* draw/glyph_blend2_swapped.c: glyphs of 2 bits a pixel over what is there, byte-swapped. Called
+ * for each glyph of a line. See text.h. */
 #include "text_blend.h"
 
 void etch_glyph_blend2_swapped(const struct etch_surface *s, const struct etch_text_style *style,

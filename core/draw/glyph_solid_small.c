@@ -1,5 +1,5 @@
-/* draw/glyph_solid_small.c: 1-bit glyphs in one colour, in little flash. Called for each glyph of a line.
- * See text_small.h. */
+/* draw/glyph_solid_small.c: 1-bit glyphs in one colour, in little flash. Called for each glyph of a
+ * line. See text_small.h. */
 #include "text_small.h"
 
 #include "text_clip.h"

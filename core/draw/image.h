@@ -1,7 +1,8 @@
 /* draw/image.h: images on the frame: blit, flip, quarter turns, scaling, any turn, nine-patches.
  *
- * An image style is an image (struct etch_image of base/texture.h), a row function and an opacity. Like
- * a paint, the row function is named, so that only what is used is linked; it must fit the image:
+ * An image style is an image (struct etch_image of base/texture.h), a row function and an opacity.
+ * Like a paint, the row function is named, so that only what is used is linked; it must fit the
+ * image:
  *
  *  image              row function                    what it writes
  *  RGB565             etch_row_rgb565                 the texels
@@ -15,8 +16,8 @@
  *  1 bit              etch_row_index1_xor             palette[1], exclusive or, where texels are 1:
  *                                                     the same call again takes it away (cursors)
  *
- * Rows marked * blend, and have a twin .._swapped for surfaces in rgb565_swapped. All colours, palettes
- * included, are in the surface's byte order (etch-image -s writes swapped ones); samplers
+ * Rows marked * blend, and have a twin .._swapped for surfaces in rgb565_swapped. All colours,
+ * palettes included, are in the surface's byte order (etch-image -s writes swapped ones); samplers
  * (fragment/sampler.h) want etch_rgb565's always. Opacity is read by rows that blend, 255 is full.
  *
  *  texels    RGB565: uint16_t. 8 bits: a byte. 4, 2, 1 bits: texel row * stride + column, the first
@@ -24,14 +25,14 @@
  *  masks     `alpha`, a byte or 4 bits a texel, 255 or 15 full; rgb565_alpha: a byte a texel
  *  colors    and alphas may be NULL if the image is not sampled: then they are not linked
  *
- * Blending: a = round(alpha opacity / 255), then a channel is (texel a + there (255 - a)) / 255 rounded
- * to the nearest once (there are no ties); a = 0 does not touch the pixel, 255 writes the texel.
- * image_row.h makes row functions that are not shipped in a line each.
+ * Blending: a = round(alpha opacity / 255), then a channel is (texel a + there (255 - a)) / 255
+ * rounded to the nearest once (there are no ties); a = 0 does not touch the pixel, 255 writes the
+ * texel. image_row.h makes row functions that are not shipped in a line each.
  *
- * Every x, y, w and h is legal; pixels are written once, inside the clip; what is outside costs nothing
- * but the interval of its row. An image without texels draws nothing. Instructions a pixel of
- * the loops for Cortex-M0+ (gcc 12, -O2): rgb565 1.3 where texels and pixels begin on the same side of a
- * word, 2.5 where not; index8 8, along a map 14. A row takes some 70 more.
+ * Every x, y, w and h is legal; pixels are written once, inside the clip; what is outside costs
+ * nothing but the interval of its row. An image without texels draws nothing. Instructions a pixel
+ * of the loops for Cortex-M0+ (gcc 12, -O2): rgb565 1.3 where texels and pixels begin on the same
+ * side of a word, 2.5 where not; index8 8, along a map 14. A row takes some 70 more.
  */
 #ifndef ETCH_DRAW_IMAGE_H
 #define ETCH_DRAW_IMAGE_H
@@ -40,8 +41,9 @@
 #include "../base/surface.h"
 #include "../base/texture.h"
 
-/* A straight line of texels. Pixel k of a row shows texel `place` (row * stride + column) after k steps;
- * each time that `down` passes 2^32 the place goes on by a row. Both are modulo their sizes. */
+/* A straight line of texels. Pixel k of a row shows texel `place` (row * stride + column) after k
+ * steps; each time that `down` passes 2^32 the place goes on by a row. Both are modulo their sizes.
+ */
 struct etch_image_line {
     const struct etch_image *image;
     uint64_t place_q32, step_q32;
@@ -96,15 +98,16 @@ enum etch_turn {
 void etch_image_draw_turned(const struct etch_surface *s, const struct etch_image_style *style,
                             int16_t x, int16_t y, enum etch_turn turn);
 
-/* The nearest texel of each place that the map shows (base/map.h): scaling, any turn, any shear. Places
- * outside the image are left out. Costs some 6 instructions a pixel more than a blit, and 100 to 700 a
- * row inside the map's bounds. */
+/* The nearest texel of each place that the map shows (base/map.h): scaling, any turn, any shear.
+ * Places outside the image are left out. Costs some 6 instructions a pixel more than a blit, and
+ * 100 to 700 a row inside the map's bounds. */
 void etch_image_draw_mapped(const struct etch_surface *s, const struct etch_image_style *style,
                             const struct etch_map *map);
 
-/* Its texels `part`, as far as the image has them, stretched over the rectangle (x, y, w, h): pixel i of
- * w shows texel floor((2 i + 1) n / (2 w)) of n, exactly; rows likewise. w or h <= 0 draws nothing. Costs four
- * 64-bit divisions a call, and as a mapped image without what that takes for a row's ends. */
+/* Its texels `part`, as far as the image has them, stretched over the rectangle (x, y, w, h): pixel
+ * i of w shows texel floor((2 i + 1) n / (2 w)) of n, exactly; rows likewise. w or h <= 0 draws
+ * nothing. Costs four 64-bit divisions a call, and as a mapped image without what that takes for a
+ * row's ends. */
 void etch_image_draw_scaled(const struct etch_surface *s, const struct etch_image_style *style,
                             struct etch_rect part, int16_t x, int16_t y, int16_t w, int16_t h);
 
@@ -114,9 +117,10 @@ struct etch_border {
 };
 
 /* A nine-patch over the rectangle (x, y, w, h): corners of the image as they are, its sides and its
- * middle stretched between them as draw_scaled does. Where the rectangle is narrower than both borders, a
- * side of w pixels shows the outer left w left / (left + right) columns on the left, rounded down, and
- * the outer others on the right; likewise top and bottom. Borders are cut to the image: left first. */
+ * middle stretched between them as draw_scaled does. Where the rectangle is narrower than both
+ * borders, a side of w pixels shows the outer left w left / (left + right) columns on the left,
+ * rounded down, and the outer others on the right; likewise top and bottom. Borders are cut to the
+ * image: left first. */
 void etch_image_draw_nine(const struct etch_surface *s, const struct etch_image_style *style,
                           const struct etch_border *border, int16_t x, int16_t y, int16_t w,
                           int16_t h);

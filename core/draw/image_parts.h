@@ -4,8 +4,8 @@
 
 #include "image.h"
 
-/* A rectangle of the frame and the place of the texel at its upper left pixel; dx and dy lead to the
- * texels of the next pixel and row, modulo 2^32. x, y, w and h together fit 32 bits. */
+/* A rectangle of the frame and the place of the texel at its upper left pixel; dx and dy lead to
+ * the texels of the next pixel and row, modulo 2^32. x, y, w and h together fit 32 bits. */
 struct etch_image_area {
     int32_t x, y, w, h;
     uint32_t place, dx, dy;

@@ -21,8 +21,8 @@ static void seek(struct reader *r, int16_t y)
         (void)plane->decode(&r->cursor, r->out, 0, plane->units);
 }
 
-/* Decodes row y, if there is such a plane, as far as its first n texels; returns how many there are. A
- * row of the table begins where it says, whatever the one above was. */
+/* Decodes row y, if there is such a plane, as far as its first n texels; returns how many there
+ * are. A row of the table begins where it says, whatever the one above was. */
 static int32_t read(struct reader *r, bool first, int16_t y, int32_t n)
 {
     const struct etch_rle_plane *const plane = r->plane;

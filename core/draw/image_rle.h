@@ -1,22 +1,22 @@
 /* draw/image_rle.h: run-length compressed images in flash, decoded a row at a time.
  *
- * A plane (texels, or alpha) is rows of units: 16-bit for RGB565 (low byte first), bytes for everything
- * else, packed as draw/image.h says, each row from a new byte on. A row is packets:
+ * A plane (texels, or alpha) is rows of units: 16-bit for RGB565 (low byte first), bytes for
+ * everything else, packed as draw/image.h says, each row from a new byte on. A row is packets:
  *
  *      0 .. 127      c      c + 1 units follow, taken as they are
  *      128 .. 255    c      one unit follows, taken c - 126 times
  *
  * Packets end with their row. `rows` has the offset of every 2^rows_shift-th row: a strip or a clip
- * begins there and passes over the rows between, packet by packet, without writing. So a strip costs its
- * own rows and less than 2^rows_shift others; the table costs 4 bytes for each 2^rows_shift rows.
- * Decoding takes some 30 instructions a packet and 4 to 6 a byte on Cortex-M0+, and then the row
- * function.
+ * begins there and passes over the rows between, packet by packet, without writing. So a strip
+ * costs its own rows and less than 2^rows_shift others; the table costs 4 bytes for each
+ * 2^rows_shift rows. Decoding takes some 30 instructions a packet and 4 to 6 a byte on Cortex-M0+,
+ * and then the row function.
  *
- * Any data is legal. A row whose data ends too soon is drawn up to there; a packet that goes on beyond its
- * row is cut, and the next row begins behind it; a row whose offset is not in the data is not drawn.
- * Nothing outside data[0 .. size - 1], the rows' table, the palette (2^bits colours: etch-image writes
- * so many) and the caller's line is read or written.
- * Source: PackBits (Apple, Technical Note TN1023, 1996), with other numbers.
+ * Any data is legal. A row whose data ends too soon is drawn up to there; a packet that goes on
+ * beyond its row is cut, and the next row begins behind it; a row whose offset is not in the data
+ * is not drawn. Nothing outside data[0 .. size - 1], the rows' table, the palette (2^bits colours:
+ * etch-image writes so many) and the caller's line is read or written. Source: PackBits (Apple,
+ * Technical Note TN1023, 1996), with other numbers.
  */
 #ifndef ETCH_DRAW_IMAGE_RLE_H
 #define ETCH_DRAW_IMAGE_RLE_H
@@ -28,8 +28,8 @@ struct etch_rle_cursor {
     const uint8_t *at, *end;
 };
 
-/* Passes over one row of `units` units and writes the first `keep` of them, at most `units`, to `out`.
- * Returns how many it wrote. */
+/* Passes over one row of `units` units and writes the first `keep` of them, at most `units`, to
+ * `out`. Returns how many it wrote. */
 typedef uint16_t etch_rle_decoder(struct etch_rle_cursor *cursor, void *out, uint16_t keep,
                                   uint16_t units);
 etch_rle_decoder etch_rle_bytes;

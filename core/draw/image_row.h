@@ -1,4 +1,5 @@
-/* draw/image_row.h: the loops that row functions are made from, shipped ones and yours. A line makes one:
+/* draw/image_row.h: the loops that row functions are made from, shipped ones and yours. A line
+ * makes one:
  *
  *  ETCH_ROW_COPY(my_row, etch_texel_index8)                     a colour, see fragment/texel.h
  *  ETCH_ROW_KEY(my_row, etch_texel_index8, etch_texel_byte)     .. where the second is not 0

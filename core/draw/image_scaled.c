@@ -2,8 +2,9 @@
  * image.h. */
 #include "image.h"
 
-/* Of the map of a rectangle every pixel inside the bounds shows a texel (map_scale.c), and a row or a column of
- * the frame is one of the image. What is kept here is not on the stack under the map's divisions. */
+/* Of the map of a rectangle every pixel inside the bounds shows a texel (map_scale.c), and a row or
+ * a column of the frame is one of the image. What is kept here is not on the stack under the map's
+ * divisions. */
 static ETCH_APART void draw_rows(const struct etch_surface *s, const struct etch_image_style *style,
                                  const struct etch_map *map)
 {

@@ -1,4 +1,5 @@
-/* draw/image_turned.c: images mirrored and turned by quarters. Called by applications. See image.h. */
+/* draw/image_turned.c: images mirrored and turned by quarters. Called by applications. See image.h.
+ */
 #include "image_parts.h"
 
 /* With the last column and row at (c, r), pixel (i, j) of the turned image shows texel

@@ -18,7 +18,8 @@
  * ends by more than that, none wraps; both directions give the same pixels and values; clips and
  * strips change none. A line of one pixel has the mean of its ends.
  *
- * Every vertex in the ranges of base/sink.h is legal. A line without a visible pixel costs no plane.
+ * Every vertex in the ranges of base/sink.h is legal. A line without a visible pixel costs no
+ * plane.
  */
 #ifndef ETCH_DRAW_LINE_H
 #define ETCH_DRAW_LINE_H

@@ -1,5 +1,5 @@
-/* draw/line_staged.h: lines and points through stages (fragment/stage.h): fog, tests, stencil, blending,
- * logic operations and masks, as draw/staged.h does for triangles.
+/* draw/line_staged.h: lines and points through stages (fragment/stage.h): fog, tests, stencil,
+ * blending, logic operations and masks, as draw/staged.h does for triangles.
  *
  *      static etch_line_varying *const varyings[] = {etch_line_varying_color,
  *                                                    etch_line_varying_alpha, NULL};

@@ -1,5 +1,5 @@
-/* draw/line_wide_staged.c: a line as two triangles through stages. Called by applications and sinks.
- * See line_staged.h. */
+/* draw/line_wide_staged.c: a line as two triangles through stages. Called by applications and
+ * sinks. See line_staged.h. */
 #include "line.h"
 #include "line_staged.h"
 

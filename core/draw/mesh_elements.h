@@ -40,7 +40,8 @@ etch_element_taker etch_mesh_take_point;
 etch_element_taker etch_mesh_take_line;
 etch_element_taker etch_mesh_take_triangle;
 
-/* ---- a primitive function of your own, between assembly and clipping -------------------------- */
+/* ---- a primitive function of your own, between assembly and clipping --------------------------
+ */
 
 /* Gets the clip-space vertices of a primitive and hands on what it likes, any number of
  * primitives of any kind, by etch_assemble_triangle, _line, _point or otherwise. */

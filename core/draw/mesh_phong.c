@@ -1,5 +1,5 @@
-/* draw/mesh_phong.c: normals and positions of a triangle. Named by pipelines, called by staged.c. See
- * mesh_phong.h. */
+/* draw/mesh_phong.c: normals and positions of a triangle. Named by pipelines, called by staged.c.
+ * See mesh_phong.h. */
 #include "mesh_phong.h"
 #include "../raster/weights.h"
 

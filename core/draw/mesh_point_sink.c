@@ -1,5 +1,5 @@
-/* draw/mesh_point_sink.c: the sink that rasterises points. Called by the vertex stage, once a visible
- * point. See mesh_sinks.h. */
+/* draw/mesh_point_sink.c: the sink that rasterises points. Called by the vertex stage, once a
+ * visible point. See mesh_sinks.h. */
 #include "mesh_sinks.h"
 
 static void paint(struct etch_sink *sink, const struct etch_vertex *v)

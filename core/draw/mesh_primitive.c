@@ -1,5 +1,5 @@
-/* draw/mesh_primitive.c: a user's function between assembly and clipping. Called by the application.
- * See mesh_elements.h. */
+/* draw/mesh_primitive.c: a user's function between assembly and clipping. Called by the
+ * application. See mesh_elements.h. */
 #include "mesh_elements.h"
 
 static void take(struct etch_element_sink *sink, const uint16_t *index)

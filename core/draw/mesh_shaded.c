@@ -1,5 +1,5 @@
-/* draw/mesh_shaded.c: the vertex function of lamps. Called through etch_mesh_stage by draw/mesh. See
- * mesh_shaded.h. */
+/* draw/mesh_shaded.c: the vertex function of lamps. Called through etch_mesh_stage by draw/mesh.
+ * See mesh_shaded.h. */
 #include "mesh_shaded_point.h"
 
 enum etch_status etch_mesh_shaded_init(struct etch_mesh_shaded_stage *stage,

@@ -26,8 +26,8 @@ enum etch_status etch_mesh_shaded_init(struct etch_mesh_shaded_stage *stage,
                                        etch_shade_function *shade, const void *lighting);
 
 /* Position transformed, colour = mesh color * stage color / 255, shaded at the vertex: Gouraud, and
- * with `flat` assemblies the shading of vertex 0. A mesh without normals is as dark as ambient light
- * leaves it. */
+ * with `flat` assemblies the shading of vertex 0. A mesh without normals is as dark as ambient
+ * light leaves it. */
 etch_vertex_function etch_vertex_shaded;
 
 /* ---- for shading by pixels ------------------------------------------------------------------- */

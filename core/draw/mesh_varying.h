@@ -55,7 +55,8 @@ void etch_mesh_triangle_varying(const struct etch_mesh_stage *stage,
                                 const struct etch_assembly *assembly, const void *buffer,
                                 uint8_t count, const uint16_t index[3]);
 
-/* ---- the sink that rasterises textures --------------------------------------------------------- */
+/* ---- the sink that rasterises textures ---------------------------------------------------------
+ */
 
 /* What draw/texture.h's perspective painters have in common. */
 typedef void etch_perspective_painter(const struct etch_surface *s,

@@ -11,14 +11,15 @@
  *      in front of its plane; the pictures on the screen are apart.
  *
  * If all fail, the other is drawn first where the last two plane tests hold the other way round;
- * and where triangles pierce each other or overlap in a ring, one is cut along the plane of another.
+ * and where triangles pierce each other or overlap in a ring, one is cut along the plane of
+ * another.
  *
  * Depth is linear on the screen, so all tests are in screen coordinates and exact, in integers.
  * Vertices of cuts are rounded: to 1/256 px, outwards, so that pieces cover all that the triangle
- * covered and at most 1/128 px beyond its edges, and their depth and colour by up to 16 / 65536 of a
- * unit and half a unit. Vertices within 2/256 px and 16 / 65536 of a unit of depth of a plane count
- * as on it. So the picture is that of a depth buffer except where, within 1/128 px of a centre,
- * depths tie to that measure or an edge of a triangle that was cut passes.
+ * covered and at most 1/128 px beyond its edges, and their depth and colour by up to 16 / 65536 of
+ * a unit and half a unit. Vertices within 2/256 px and 16 / 65536 of a unit of depth of a plane
+ * count as on it. So the picture is that of a depth buffer except where, within 1/128 px of a
+ * centre, depths tie to that measure or an edge of a triangle that was cut passes.
  *
  * Source: M. E. Newell, R. G. Newell, T. L. Sancha, "A solution to the hidden surface problem",
  * 1972. Buckets instead, without cuts: draw/ordering.h.

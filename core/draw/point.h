@@ -8,7 +8,8 @@
 #include "../base/sink.h"
 #include "../raster/point_runs.h"
 
-/* A point in one colour, in the surface's byte order; `runs` is etch_point_runs_square or _round. */
+/* A point in one colour, in the surface's byte order; `runs` is etch_point_runs_square or _round.
+ */
 void etch_point_fill(const struct etch_surface *s, int32_t x_q8, int32_t y_q8, uint16_t size_q8,
                      uint16_t color, etch_point_runs *runs);
 

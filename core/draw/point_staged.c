@@ -1,4 +1,5 @@
-/* draw/point_staged.c: points through stages. Called by applications and sinks. See line_staged.h. */
+/* draw/point_staged.c: points through stages. Called by applications and sinks. See line_staged.h.
+ */
 #include "line_staged.h"
 
 void etch_point_staged(const struct etch_surface *s, const struct etch_vertex *v, uint16_t size_q8,

@@ -1,5 +1,5 @@
-/* draw/rle_words.c: rows of compressed 16-bit units. Called once a row through the image's plane. See
- * image_rle.h. */
+/* draw/rle_words.c: rows of compressed 16-bit units. Called once a row through the image's plane.
+ * See image_rle.h. */
 #include "rle_decode.h"
 
 ETCH_INLINE uint16_t word(const uint8_t *p)

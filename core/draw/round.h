@@ -1,9 +1,9 @@
 /* draw/round.h: ellipses, rounded rectangles, rings, arcs and pies in one colour.
  *
- * Which pixels: raster/ellipse.h, round_rect.h and arc.h, whose .._runs give the same shapes to any paint. Every
- * int16_t is legal: what is off screen or empty draws what it covers. Each pixel is written once. `color` is
- * in the surface's byte order. Angles are in 65536ths of a turn, clockwise from the right; a sweep of 0 draws
- * nothing and one of 65536 or more a full turn.
+ * Which pixels: raster/ellipse.h, round_rect.h and arc.h, whose .._runs give the same shapes to any
+ * paint. Every int16_t is legal: what is off screen or empty draws what it covers. Each pixel is
+ * written once. `color` is in the surface's byte order. Angles are in 65536ths of a turn, clockwise
+ * from the right; a sweep of 0 draws nothing and one of 65536 or more a full turn.
  */
 #ifndef ETCH_DRAW_ROUND_H
 #define ETCH_DRAW_ROUND_H

@@ -1,5 +1,5 @@
-/* draw/row_index4_fade_swapped.c: palettes, 4 bits a texel, by opacity, byte-swapped. Called for each row of an image. See
- * image.h. */
+/* draw/row_index4_fade_swapped.c: palettes, 4 bits a texel, by opacity, byte-swapped. Called for
+ * each row of an image. See image.h. */
 #include "image_row.h"
 
 ETCH_ROW_BLEND(etch_row_index4_fade_swapped, etch_texel_index4, etch_texel_opaque, true)

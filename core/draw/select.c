@@ -1,4 +1,5 @@
-/* draw/select.c: a surface of one pixel that holds a name. Called by the application. See select.h. */
+/* draw/select.c: a surface of one pixel that holds a name. Called by the application. See select.h.
+ */
 #include "select.h"
 
 enum etch_status etch_select_init(struct etch_select *select, int16_t x, int16_t y,

@@ -1,6 +1,6 @@
 /* draw/setup_exact_color.c: numerators of a triangle's colours. Called by the exact painters. See
- * setup_exact.h. At a pixel of colour c, N = D (2 full c + 255), so floor(N / (510 D)) is the channel
- * rounded half up; at most 2^48 (126 255 + 255) < 2^63. */
+ * setup_exact.h. At a pixel of colour c, N = D (2 full c + 255), so floor(N / (510 D)) is the
+ * channel rounded half up; at most 2^48 (126 255 + 255) < 2^63. */
 #include "setup_exact.h"
 
 void etch_setup_exact_color(struct etch_gouraud_exact_paint *paint, const struct etch_triangle *t,

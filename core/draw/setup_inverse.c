@@ -1,5 +1,6 @@
-/* draw/setup_inverse.c: the plane of a floating depth. Called by the painters of inverse.h. The plane of
- * depths whose vertices are q 2^up: so that of a far triangle is as exact for its size as a near one's. */
+/* draw/setup_inverse.c: the plane of a floating depth. Called by the painters of inverse.h. The
+ * plane of depths whose vertices are q 2^up: so that of a far triangle is as exact for its size as
+ * a near one's. */
 #include "setup_inverse.h"
 
 /* 65535.0 less depths of 15.0 and more; at most 2^32 - 2^20. */

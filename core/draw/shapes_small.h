@@ -1,8 +1,8 @@
 /* draw/shapes_small.h: rectangles, discs and circles for programs that count bytes.
  *
- * The pixels of the calls of the same names in shapes.h and raster/circle.h, clipped as exactly, each
- * once; a few times slower: 6 instructions a pixel on ARMv6-M, and a square root a row of a disc, two of
- * a circle. A rectangle over the frame clears it. What programs weigh: `make size`.
+ * The pixels of the calls of the same names in shapes.h and raster/circle.h, clipped as exactly,
+ * each once; a few times slower: 6 instructions a pixel on ARMv6-M, and a square root a row of a
+ * disc, two of a circle. A rectangle over the frame clears it. What programs weigh: `make size`.
  */
 #ifndef ETCH_DRAW_SHAPES_SMALL_H
 #define ETCH_DRAW_SHAPES_SMALL_H

@@ -1,5 +1,5 @@
-/* draw/staged.h: triangles through stages (fragment/stage.h): every combination of varyings, texture,
- * tests, stencil, blending, logic operations and masks.
+/* draw/staged.h: triangles through stages (fragment/stage.h): every combination of varyings,
+ * texture, tests, stencil, blending, logic operations and masks.
  *
  *      static etch_varying *const varyings[] = {etch_varying_color, etch_varying_alpha, NULL};
  *      static const struct etch_stage stages[] = {
@@ -29,8 +29,8 @@ struct etch_varying_input {
     const struct etch_vertex *const *v;
 };
 
-/* Sets up what a source reads. Called once for each visible triangle. One of your own casts `planes`
- * to your struct, which begins with them. */
+/* Sets up what a source reads. Called once for each visible triangle. One of your own casts
+ * `planes` to your struct, which begins with them. */
 typedef void etch_varying(struct etch_staged_planes *planes, const struct etch_varying_input *in);
 
 etch_varying etch_varying_flat;  /* r g b a of v[0]; instead of the next two */
@@ -56,8 +56,8 @@ struct etch_pipeline {
 void etch_triangle_staged(const struct etch_surface *s, const struct etch_vertex *const v[3],
                           const struct etch_pipeline *pipeline, struct etch_staged_planes *planes);
 
-/* True if all w are equal (0 counts as 1): then what is linear in space is linear on the screen, and
- * the pipeline without perspective gives the same in less time. */
+/* True if all w are equal (0 counts as 1): then what is linear in space is linear on the screen,
+ * and the pipeline without perspective gives the same in less time. */
 bool etch_triangle_is_parallel(const struct etch_texture_vertex *const v[3]);
 
 /* ---- the sink ------------------------------------------------------------------------------- */

@@ -1,5 +1,5 @@
-/* draw/staged_parallel.c: whether a triangle is seen without perspective. Called by those who choose
- * between two pipelines. See staged.h. */
+/* draw/staged_parallel.c: whether a triangle is seen without perspective. Called by those who
+ * choose between two pipelines. See staged.h. */
 #include "staged.h"
 
 static uint32_t distance(const struct etch_texture_vertex *v)

@@ -13,12 +13,12 @@
  * rgb565_swapped. A blended channel is (ink a + there (15 - a)) / 15 rounded to the nearest once
  * (there are no ties); coverage 0 does not touch the pixel, full coverage writes the colour.
  *
- * Texts are UTF-8 from `text` to `end`, or to the NUL if end is NULL. Bad bytes count as U+FFFD, and
- * what the font lacks is drawn as its replacement (base/utf8.h, base/font.h): also line feeds, which
- * only the functions for boxes know. Pens are 32-bit and stop at +-2^30; every x and y is legal.
- * Inside a glyph each pixel is written once. Where bitmaps of neighbours overlap, as kerning may
- * make them, one is drawn over the other. A glyph outside the clip costs its place in the line, a row
- * of a glyph outside the clip nothing.
+ * Texts are UTF-8 from `text` to `end`, or to the NUL if end is NULL. Bad bytes count as U+FFFD,
+ * and what the font lacks is drawn as its replacement (base/utf8.h, base/font.h): also line feeds,
+ * which only the functions for boxes know. Pens are 32-bit and stop at +-2^30; every x and y is
+ * legal. Inside a glyph each pixel is written once. Where bitmaps of neighbours overlap, as kerning
+ * may make them, one is drawn over the other. A glyph outside the clip costs its place in the line,
+ * a row of a glyph outside the clip nothing.
  *
  * On ARMv6-M a line of one letter of 9 x 15 in 1 bit takes 597 instructions (W14).
  */
@@ -59,9 +59,9 @@ etch_glyph_painter etch_glyph_blend4_swapped;
 int32_t etch_text_draw(const struct etch_surface *s, const struct etch_text_style *style, int16_t x,
                        int16_t y, const char *text, const char *end);
 
-/* The same turned clockwise by `quarters` quarters (modulo 4) about the corner of pixels that the pen
- * is at: the line runs right, down, left, up. A glyph is turned in tiles of 16 x 16 on the stack,
- * 128 bytes. */
+/* The same turned clockwise by `quarters` quarters (modulo 4) about the corner of pixels that the
+ * pen is at: the line runs right, down, left, up. A glyph is turned in tiles of 16 x 16 on the
+ * stack, 128 bytes. */
 int32_t etch_text_draw_turned(const struct etch_surface *s, const struct etch_text_style *style,
                               int16_t x, int16_t y, uint8_t quarters, const char *text,
                               const char *end);
@@ -112,8 +112,8 @@ struct etch_text_line etch_text_break(const struct etch_font *font, int32_t widt
 int32_t etch_text_lines(const struct etch_font *font, int32_t width, const char *text,
                         const char *end);
 
-/* The text in lines of at most w pixels, the first with its ascent at row y, each aligned in the box
- * (x, y, w, h). Nothing outside the box is written. Returns the number of lines begun in it. */
+/* The text in lines of at most w pixels, the first with its ascent at row y, each aligned in the
+ * box (x, y, w, h). Nothing outside the box is written. Returns the number of lines begun in it. */
 int32_t etch_text_box(const struct etch_surface *s, const struct etch_text_style *style,
                       struct etch_rect box, enum etch_align align, const char *text,
                       const char *end);

@@ -1,4 +1,5 @@
-/* draw/text_cells.c: text with its background, each pixel once. Called by applications. See text.h. */
+/* draw/text_cells.c: text with its background, each pixel once. Called by applications. See text.h.
+ */
 #include "shapes.h"
 #include "text_pen.h"
 

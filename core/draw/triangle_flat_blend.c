@@ -4,8 +4,8 @@
 #include "blend.h"
 #include "setup.h"
 
-/* What colour and half of rounding come to before the pixel is known: (s a + 255 / 2), s in steps with
- * `bits` fraction bits, and 1 for the division. */
+/* What colour and half of rounding come to before the pixel is known: (s a + 255 / 2), s in steps
+ * with `bits` fraction bits, and 1 for the division. */
 static uint32_t part(uint32_t s, uint32_t a, uint8_t bits)
 {
     return ((s * a + (UINT32_C(255) << (bits - 1))) >> bits) + 1;

@@ -1,5 +1,5 @@
-/* draw/triangle_flat_depth_exact.c: triangles in the colour of their first vertex, with exact depth.
- * Called by applications and by the mesh's sink. See exact.h. */
+/* draw/triangle_flat_depth_exact.c: triangles in the colour of their first vertex, with exact
+ * depth. Called by applications and by the mesh's sink. See exact.h. */
 #include "../base/rgb565.h"
 #include "setup_exact.h"
 

@@ -1,5 +1,5 @@
-/* draw/triangle_flat_dither.c: triangles in the dithered colour of their first vertex, without depth.
- * Called by applications and by the mesh's sink. See dither.h. */
+/* draw/triangle_flat_dither.c: triangles in the dithered colour of their first vertex, without
+ * depth. Called by applications and by the mesh's sink. See dither.h. */
 #include "setup_dither.h"
 
 void etch_triangle_flat_dither(const struct etch_surface *s, const struct etch_vertex *const v[3],

@@ -1,5 +1,5 @@
-/* draw/triangle_flat_inverse.c: triangles in the colour of their first vertex, with depth in a floating
- * layout. Called by applications and by the mesh's sink. See inverse.h. */
+/* draw/triangle_flat_inverse.c: triangles in the colour of their first vertex, with depth in a
+ * floating layout. Called by applications and by the mesh's sink. See inverse.h. */
 #include "../base/rgb565.h"
 #include "setup_inverse.h"
 

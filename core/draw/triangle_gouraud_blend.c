@@ -1,5 +1,5 @@
-/* draw/triangle_gouraud_blend.c: triangles with interpolated colour and alpha. Called by applications
- * and by the mesh's sink. See blend.h. */
+/* draw/triangle_gouraud_blend.c: triangles with interpolated colour and alpha. Called by
+ * applications and by the mesh's sink. See blend.h. */
 #include "../fragment/blend_fused.h"
 #include "../raster/alpha_plane.h"
 #include "blend.h"

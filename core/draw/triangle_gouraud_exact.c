@@ -1,5 +1,5 @@
-/* draw/triangle_gouraud_exact.c: triangles with exact colours, without depth. Called by applications
- * and by the mesh's sink. See exact.h. */
+/* draw/triangle_gouraud_exact.c: triangles with exact colours, without depth. Called by
+ * applications and by the mesh's sink. See exact.h. */
 #include "setup_exact.h"
 
 void etch_triangle_gouraud_exact(const struct etch_surface *s, const struct etch_vertex *const v[3],

@@ -1,5 +1,5 @@
-/* draw/triangle_gouraud_inverse.c: triangles with interpolated colour and depth in a floating layout.
- * Called by applications and by the mesh's sink. See inverse.h. */
+/* draw/triangle_gouraud_inverse.c: triangles with interpolated colour and depth in a floating
+ * layout. Called by applications and by the mesh's sink. See inverse.h. */
 #include "setup_inverse.h"
 
 void etch_triangle_gouraud_inverse(const struct etch_surface *s,

@@ -1,5 +1,5 @@
-/* draw/varying_texture_perspective.c: texture coordinates in perspective. Named by pipelines, called
- * by staged.c. See staged.h. */
+/* draw/varying_texture_perspective.c: texture coordinates in perspective. Named by pipelines,
+ * called by staged.c. See staged.h. */
 #include "../raster/texture_plane.h"
 #include "staged.h"
 

@@ -1,4 +1,5 @@
-/* core/fonts/fixed_5x8_ascii.c: misc-fixed, public domain (see LICENCES.md); written by etch-font. */
+/* core/fonts/fixed_5x8_ascii.c: misc-fixed, public domain (see LICENCES.md); written by etch-font.
+ */
 #include "fonts.h"
 
 /* clang-format off */

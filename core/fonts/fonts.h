@@ -1,7 +1,7 @@
-/* core/fonts/fonts.h: fonts ready to link; a program gets only those it names. ASCII, Latin-1, arrows
- * (U+2190 .. 2193), small triangles up, right, down, left (U+25B2, 25B6, 25BC, 25C0), U+FFFD. They
- * stand in core because they are constants like others, and in a folder of their own because they
- * are generated and have licences of their own: LICENCES.md.
+/* core/fonts/fonts.h: fonts ready to link; a program gets only those it names. ASCII, Latin-1,
+ * arrows (U+2190 .. 2193), small triangles up, right, down, left (U+25B2, 25B6, 25BC, 25C0),
+ * U+FFFD. They stand in core because they are constants like others, and in a folder of their own
+ * because they are generated and have licences of their own: LICENCES.md.
  *
  *      name         bits   what
  *      fixed_WxH    1      misc-fixed in cells of W x H: fixed-width, for status lines and tables

@@ -1,4 +1,5 @@
-/* core/fonts/sans_12.c: DejaVu Sans, Bitstream Vera licence (see LICENCES.md); written by etch-font-ttf. */
+/* core/fonts/sans_12.c: DejaVu Sans, Bitstream Vera licence (see LICENCES.md); written by
+ * etch-font-ttf. */
 #include "fonts.h"
 
 /* clang-format off */

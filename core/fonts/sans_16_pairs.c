@@ -1,5 +1,5 @@
-/* core/fonts/sans_16_pairs.c: kerning of DejaVu Sans at 16 pixels, Bitstream Vera licence (see LICENCES.md);
- * written by etch-font-ttf. Its fonts of 2 and of 4 bits share it. */
+/* core/fonts/sans_16_pairs.c: kerning of DejaVu Sans at 16 pixels, Bitstream Vera licence (see
+ * LICENCES.md); written by etch-font-ttf. Its fonts of 2 and of 4 bits share it. */
 #include "fonts.h"
 
 /* clang-format off */

@@ -20,8 +20,8 @@ ETCH_INLINE void etch_flat_blend_step(struct etch_fragment *f, const struct etch
     (void)f, (void)paint;
 }
 
-/* With x = least + 1 + d keep <= 16192, (x + x / 256) / 256 is (x - 1) / 255 rounded down. Red and blue
- * stay below 2^13 each, so one word holds both. */
+/* With x = least + 1 + d keep <= 16192, (x + x / 256) / 256 is (x - 1) / 255 rounded down. Red and
+ * blue stay below 2^13 each, so one word holds both. */
 ETCH_INLINE uint16_t etch_flat_blend_color(const struct etch_fragment *f,
                                            const struct etch_paint *paint, uint16_t pixel)
 {

@@ -1,5 +1,5 @@
-/* fragment/blend_template.h: how fused kernels that read the pixel they draw on are made, shipped ones
- * and yours: as template.h, without depth. One line makes a kernel:
+/* fragment/blend_template.h: how fused kernels that read the pixel they draw on are made, shipped
+ * ones and yours: as template.h, without depth. One line makes a kernel:
  *
  *      ETCH_BLEND_KERNEL(my_kernel, my_blender)
  */

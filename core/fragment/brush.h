@@ -1,11 +1,11 @@
-/* fragment/brush.h: colours that depend on where a pixel is: gradients (gradient.h), patterns and tiles
- * (pattern.h), or your own, for any shape.
+/* fragment/brush.h: colours that depend on where a pixel is: gradients (gradient.h), patterns and
+ * tiles (pattern.h), or your own, for any shape.
  *
  *      struct etch_brush_paint paint = {{etch_kernel_brush}, &gradient.brush, 255};
  *      etch_ellipse_runs(surface, 120, 160, 90, 60, &paint.paint);
  *
- * A brush gives the colours of a part of a row. Which they are depends on the pixel's place in the frame alone,
- * so clips and strips change nothing, and shapes that touch go on in each other.
+ * A brush gives the colours of a part of a row. Which they are depends on the pixel's place in the
+ * frame alone, so clips and strips change nothing, and shapes that touch go on in each other.
  *
  *  etch_kernel_brush            replaces pixels; colours in the surface's byte order
  *  etch_kernel_brush_blend      with an opacity; colours are etch_rgb565's
@@ -41,12 +41,13 @@ struct etch_brush_paint {
 /* The colours as they are; they are written straight to the surface. */
 etch_kernel etch_kernel_brush;
 
-/* A channel becomes (s a + d (255 - a)) / 255, rounded to nearest (there are no ties), a the opacity: with
- * 255 the brush's, with 0 as it was. */
+/* A channel becomes (s a + d (255 - a)) / 255, rounded to nearest (there are no ties), a the
+ * opacity: with 255 the brush's, with 0 as it was. */
 etch_kernel etch_kernel_brush_blend;
 etch_kernel etch_kernel_brush_blend_swapped;
 
-/* A brush for covers. With w = cover opacity a channel becomes what fragment/cover.h says of one colour. */
+/* A brush for covers. With w = cover opacity a channel becomes what fragment/cover.h says of one
+ * colour. */
 struct etch_cover_brush_paint {
     struct etch_cover_paint paint; /* .kernel = one of the two below */
     const struct etch_brush *brush;
@@ -55,8 +56,8 @@ struct etch_cover_brush_paint {
 etch_cover_kernel etch_cover_brush;
 etch_cover_kernel etch_cover_brush_swapped;
 
-/* Sets r, g and b of a chunk, to whole steps, and a to 255; data: const struct etch_brush, whose colours are
- * etch_rgb565's. */
+/* Sets r, g and b of a chunk, to whole steps, and a to 255; data: const struct etch_brush, whose
+ * colours are etch_rgb565's. */
 etch_stage_function etch_source_brush;
 
 #endif

@@ -1,12 +1,13 @@
-/* fragment/brush_blend_template.h: the loop of the brush kernels with opacity; no part of the API. */
+/* fragment/brush_blend_template.h: the loop of the brush kernels with opacity; no part of the API.
+ */
 #ifndef ETCH_FRAGMENT_BRUSH_BLEND_TEMPLATE_H
 #define ETCH_FRAGMENT_BRUSH_BLEND_TEMPLATE_H
 
 #include "../base/rgb565.h"
 #include "brush.h"
 
-/* With x = s a + d (255 - a) + 128 <= 63 255 + 128, (x + x / 256) / 256 is (x - 1) / 255 rounded down. Red and
- * blue stay below 2^13 each, so one word holds both. */
+/* With x = s a + d (255 - a) + 128 <= 63 255 + 128, (x + x / 256) / 256 is (x - 1) / 255 rounded
+ * down. Red and blue stay below 2^13 each, so one word holds both. */
 ETCH_INLINE uint16_t brush_mix(uint32_t s, uint32_t d, uint32_t a)
 {
     const uint32_t keep = 255 - a;

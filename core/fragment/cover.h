@@ -1,4 +1,5 @@
-/* fragment/cover.h: one colour blended by the share of the pixel that a shape covers, and by an opacity.
+/* fragment/cover.h: one colour blended by the share of the pixel that a shape covers, and by an
+ * opacity.
  *
  * With w = cover opacity, 0 .. W = 4096 255, a channel becomes round((s w + d (W - w)) / W), ties
  * upwards: rounded once. Whole pixels of opacity 255 are written unread. */

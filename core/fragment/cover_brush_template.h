@@ -1,4 +1,5 @@
-/* fragment/cover_brush_template.h: the loop of the kernels that blend a brush by cover; no part of the API. */
+/* fragment/cover_brush_template.h: the loop of the kernels that blend a brush by cover; no part of
+ * the API. */
 #ifndef ETCH_FRAGMENT_COVER_BRUSH_TEMPLATE_H
 #define ETCH_FRAGMENT_COVER_BRUSH_TEMPLATE_H
 

@@ -2,8 +2,8 @@
  * dither.h. */
 #include "dither.h"
 
-/* Of the pixels of four neighbours (0 2 / 3 1) come first, then of four such groups, then of four of
- * those; times 2, plus 1. */
+/* Of the pixels of four neighbours (0 2 / 3 1) come first, then of four such groups, then of four
+ * of those; times 2, plus 1. */
 const uint8_t etch_dither_bayer[8][8] = {
     {1, 65, 17, 81, 5, 69, 21, 85},   {97, 33, 113, 49, 101, 37, 117, 53},
     {25, 89, 9, 73, 29, 93, 13, 77},  {121, 57, 105, 41, 125, 61, 109, 45},

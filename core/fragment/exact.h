@@ -1,13 +1,13 @@
 /* fragment/exact.h: colours and depths correctly rounded at every pixel of every triangle.
  *
  * The exact mode. A channel is floor(c full / 255 + 1/2), c the exact rational value of the 8-bit
- * channel at the pixel's centre, full = 31 or 63; a depth is floor(z + 1/2). Error: 1/2 of a step and
- * nothing beyond it, for every triangle in range, on every surface.
+ * channel at the pixel's centre, full = 31 or 63; a depth is floor(z + 1/2). Error: 1/2 of a step
+ * and nothing beyond it, for every triangle in range, on every surface.
  *
- * Planes of 32 bits walk as in the precise mode (gouraud.h); their error is known, so only where the
- * value is nearer than that to a step of the output is it asked of the exact numerators (base/exact.h).
- * That is one pixel in 85 with three channels, one depth in 32 on triangles whose width and height
- * add up to less than 1024 px.
+ * Planes of 32 bits walk as in the precise mode (gouraud.h); their error is known, so only where
+ * the value is nearer than that to a step of the output is it asked of the exact numerators
+ * (base/exact.h). That is one pixel in 85 with three channels, one depth in 32 on triangles whose
+ * width and height add up to less than 1024 px.
  */
 #ifndef ETCH_FRAGMENT_EXACT_H
 #define ETCH_FRAGMENT_EXACT_H
@@ -49,8 +49,8 @@ etch_kernel etch_kernel_gouraud_exact_swapped;
 etch_kernel etch_kernel_gouraud_exact_less_swapped;
 etch_kernel etch_kernel_gouraud_exact_lequal_swapped;
 
-/* Parts of these kernels: exact colours of a span, and exact depths of runs, with `exact` that of the
- * paint. */
+/* Parts of these kernels: exact colours of a span, and exact depths of runs, with `exact` that of
+ * the paint. */
 etch_span etch_gouraud_exact_span, etch_gouraud_exact_span_swapped;
 typedef void etch_depth_exact_rows(const struct etch_surface *surface, int16_t y0,
                                    const struct etch_run *runs, uint8_t n,

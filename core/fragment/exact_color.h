@@ -1,9 +1,9 @@
 /* fragment/exact_color.h: the loop of exact colours; no part of the API. See exact.h.
  *
- * The planes of gouraud.h are within 2^-10 (1 + 2^-4) of a step of the true value where they come from
- * raster/basis.h, and within 2^-11 where they come from raster/plane.h. They walk here with 2^-9 more,
- * so the true value lies between the plane less 2^-8 and the plane: another integer is there only if
- * the upper 8 bits of the fraction are all 0.
+ * The planes of gouraud.h are within 2^-10 (1 + 2^-4) of a step of the true value where they come
+ * from raster/basis.h, and within 2^-11 where they come from raster/plane.h. They walk here with
+ * 2^-9 more, so the true value lies between the plane less 2^-8 and the plane: another integer is
+ * there only if the upper 8 bits of the fraction are all 0.
  */
 #ifndef ETCH_FRAGMENT_EXACT_COLOR_H
 #define ETCH_FRAGMENT_EXACT_COLOR_H

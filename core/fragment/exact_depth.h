@@ -1,7 +1,7 @@
 /* fragment/exact_depth.h: the loop of exact depths; no part of the API. See exact.h.
  *
- * A depth plane from raster/basis.h is within 512 units of 2^-16 for cutting its slopes off, 512 for
- * rounding them, 256 for dropped bits and 32 for the reciprocal; one from raster/plane.h within
+ * A depth plane from raster/basis.h is within 512 units of 2^-16 for cutting its slopes off, 512
+ * for rounding them, 256 for dropped bits and 32 for the reciprocal; one from raster/plane.h within
  * (x + y + 1) / 2. `slack` is above both, all over the run. The plane walks with that added, so the
  * true value is at most z and above z - 2 slack.
  */
@@ -18,10 +18,10 @@ ETCH_INLINE uint32_t exact_slack(int16_t x1, int16_t y)
     return far < 1536 ? 1536 : far;
 }
 
-/* The depth at (x, y), where z is so close to the integer k in its upper half that the true value may
- * be below it. That is 0.5 .. 65535.5: so if k is 0, z is above 0.5 or past 65536 and then, since
- * 2 slack <= 1, below 0.5. The true value less the plane's, times D, is below 2^63, and so is k less
- * the plane's: the two are compared. */
+/* The depth at (x, y), where z is so close to the integer k in its upper half that the true value
+ * may be below it. That is 0.5 .. 65535.5: so if k is 0, z is above 0.5 or past 65536 and then,
+ * since 2 slack <= 1, below 0.5. The true value less the plane's, times D, is below 2^63, and so is
+ * k less the plane's: the two are compared. */
 static ETCH_COLD uint16_t exact_depth(const struct etch_exact_depth *exact, uint32_t z, int16_t x,
                                       int16_t y, uint32_t slack)
 {

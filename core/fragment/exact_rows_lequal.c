@@ -1,5 +1,5 @@
-/* fragment/exact_rows_lequal.c: exact depths where not farther. Called by the exact kernels of that name. See
- * exact.h. */
+/* fragment/exact_rows_lequal.c: exact depths where not farther. Called by the exact kernels of that
+ * name. See exact.h. */
 #include "exact_depth.h"
 
 void etch_depth_exact_rows_lequal(const struct etch_surface *surface, int16_t y0,

@@ -1,5 +1,5 @@
-/* fragment/exact_rows_less.c: exact depths where nearer. Called by the exact kernels of that name. See
- * exact.h. */
+/* fragment/exact_rows_less.c: exact depths where nearer. Called by the exact kernels of that name.
+ * See exact.h. */
 #include "exact_depth.h"
 
 void etch_depth_exact_rows_less(const struct etch_surface *surface, int16_t y0,

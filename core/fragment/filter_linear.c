@@ -1,5 +1,5 @@
-/* fragment/filter_linear.c: the mean of the four nearest texels. Called by the texture stages, through
- * the sampler. See sampler.h. */
+/* fragment/filter_linear.c: the mean of the four nearest texels. Called by the texture stages,
+ * through the sampler. See sampler.h. */
 #include "texel.h"
 
 /* The texels above left, above right, below left and below right of each coordinate. */

@@ -1,5 +1,5 @@
-/* fragment/filter_nearest.c: the texel that holds a coordinate. Called by the texture stages, through
- * the sampler. See sampler.h. */
+/* fragment/filter_nearest.c: the texel that holds a coordinate. Called by the texture stages,
+ * through the sampler. See sampler.h. */
 #include "texel.h"
 
 void etch_filter_nearest(const struct etch_texels *out, const struct etch_chunk *chunk,

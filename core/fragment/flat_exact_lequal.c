@@ -1,4 +1,5 @@
-/* fragment/flat_exact_lequal.c: one colour where not farther, depths correctly rounded. See exact.h. */
+/* fragment/flat_exact_lequal.c: one colour where not farther, depths correctly rounded. See
+ * exact.h. */
 #include "exact.h"
 #include "flat_span.h"
 

@@ -1,7 +1,7 @@
 /* fragment/gradient_linear.c: rows of linear gradients. A brush; see gradient.h.
  *
- * Along a row s grows by dx. Where 0 <= s < d the entry is i = floor(N s / d), N = 2^bits, kept with the
- * remainder e = N s - i d and stepped by N dx = q d + r. */
+ * Along a row s grows by dx. Where 0 <= s < d the entry is i = floor(N s / d), N = 2^bits, kept
+ * with the remainder e = N s - i d and stepped by N dx = q d + r. */
 #include "../base/fill.h"
 #include "gradient.h"
 

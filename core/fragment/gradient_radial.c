@@ -1,8 +1,8 @@
 /* fragment/gradient_radial.c: rows of radial gradients. A brush; see gradient.h.
  *
- * At the squared distance D, with N = 2^bits, the entry is the largest i with i^2 r^2 <= N^2 D. It is kept with
- * f = N^2 D - i^2 r^2, and i = N stands for all that is outside. Where |dx| and |dy| are at most r, D < 2^31 and
- * f < 2^47. */
+ * At the squared distance D, with N = 2^bits, the entry is the largest i with i^2 r^2 <= N^2 D. It
+ * is kept with f = N^2 D - i^2 r^2, and i = N stands for all that is outside. Where |dx| and |dy|
+ * are at most r, D < 2^31 and f < 2^47. */
 #include "gradient.h"
 
 struct walk {

@@ -1,9 +1,10 @@
-/* fragment/inverse_rows.h: the loops of depth in a floating layout; no part of the API. See inverse.h.
+/* fragment/inverse_rows.h: the loops of depth in a floating layout; no part of the API. See
+ * inverse.h.
  *
- * The plane walks as p = q 2^up + 2^15. Its error is below 2^15, so it never passes below 0; and q is
- * at most 2^32 - 2^20, so with half a step it does not pass 2^32. While p stays in one octave,
- * 2^f <= p - 2^15 < 2^(f + 1), the code is a sum, a shift and a difference away; where it leaves it, at
- * most once in an octave along a run, the four numbers for that are worked out again.
+ * The plane walks as p = q 2^up + 2^15. Its error is below 2^15, so it never passes below 0; and q
+ * is at most 2^32 - 2^20, so with half a step it does not pass 2^32. While p stays in one octave,
+ * 2^f <= p - 2^15 < 2^(f + 1), the code is a sum, a shift and a difference away; where it leaves
+ * it, at most once in an octave along a run, the four numbers for that are worked out again.
  */
 #ifndef ETCH_FRAGMENT_INVERSE_ROWS_H
 #define ETCH_FRAGMENT_INVERSE_ROWS_H

@@ -1,5 +1,5 @@
-/* fragment/inverse_rows_lequal.c: depths in a floating layout, where not farther. Called by the kernels of
- * inverse.h. */
+/* fragment/inverse_rows_lequal.c: depths in a floating layout, where not farther. Called by the
+ * kernels of inverse.h. */
 #include "inverse_rows.h"
 
 void etch_inverse_rows_lequal(const struct etch_surface *surface, int16_t y0,

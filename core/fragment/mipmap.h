@@ -22,7 +22,8 @@ struct etch_mipmap {
 };
 
 /* Texels of all levels below level 0 of such an image: uint16_t words that etch_mipmap_build needs
- * (and bytes of alpha, if the image has alpha). At most a third of width * height, and the sides. */
+ * (and bytes of alpha, if the image has alpha). At most a third of width * height, and the sides.
+ */
 uint32_t etch_mipmap_texels(uint16_t width, uint16_t height);
 
 /* Builds the levels of `image`, of any format, as RGB565 into `texels` and, if it has alpha, as a

@@ -9,8 +9,8 @@ struct sums {
 };
 
 /* Where a texel of a level lies along one side: level 0 has `size` texels, the level `parts`. In
- * units of 1 / (size parts) of the side, texel j of the level covers [j size, (j + 1) size), texel i
- * of level 0 [i parts, (i + 1) parts). */
+ * units of 1 / (size parts) of the side, texel j of the level covers [j size, (j + 1) size), texel
+ * i of level 0 [i parts, (i + 1) parts). */
 struct extent {
     uint32_t from, to;
     uint16_t parts;

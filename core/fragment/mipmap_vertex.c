@@ -1,5 +1,5 @@
-/* fragment/mipmap_vertex.c: texture coordinates in texels of a level. Called by applications for each
- * vertex, before drawing. See mipmap.h. */
+/* fragment/mipmap_vertex.c: texture coordinates in texels of a level. Called by applications for
+ * each vertex, before drawing. See mipmap.h. */
 #include "mipmap.h"
 
 /* c part / whole, rounded half up. Where the whole is 2^level parts, a shift does it. */

@@ -44,9 +44,9 @@ struct etch_phong {
  * normal that is shaded is within 3 units of 2^-14 a component of the unit vector along the exact
  * interpolated one, where that is longer than 1/64 (zero has no direction and stays zero); the
  * position is within 2^(position_down - 14), and 2^-22 of the triangle's extent. Only pixels that
- * are alive are shaded. A pixel costs the weights (weights.h), 12 multiplications, etch_unit_q14 and
- * the shade function: 3170 instructions (4080 cycles) on Cortex-M0+ with one directional lamp in
- * etch_shade_phong, 1260 (1630) of them in that. */
+ * are alive are shaded. A pixel costs the weights (weights.h), 12 multiplications, etch_unit_q14
+ * and the shade function: 3170 instructions (4080 cycles) on Cortex-M0+ with one directional lamp
+ * in etch_shade_phong, 1260 (1630) of them in that. */
 etch_stage_function etch_stage_phong;
 
 #endif

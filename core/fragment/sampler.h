@@ -108,9 +108,9 @@ enum etch_status etch_sampler_init(struct etch_sampler *s, const struct etch_ima
  *      modulate       f t     | a = f.a     f t                          | a = f.a t.a
  *      decal          t       | a = f.a     f (1 - t.a) + t t.a          | a = f.a
  *
- * as OpenGL's texture environments. Replace is exact. Modulate errs by at most 3/2, decal by 2 units
- * of the chunk's formats, 1/1000 of an output step, and a full factor changes no pixel. Every pixel
- * of the chunk is sampled, alive or not. */
+ * as OpenGL's texture environments. Replace is exact. Modulate errs by at most 3/2, decal by 2
+ * units of the chunk's formats, 1/1000 of an output step, and a full factor changes no pixel. Every
+ * pixel of the chunk is sampled, alive or not. */
 etch_stage_function etch_stage_texture_replace;
 etch_stage_function etch_stage_texture_modulate;
 etch_stage_function etch_stage_texture_decal;

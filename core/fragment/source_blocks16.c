@@ -1,5 +1,5 @@
-/* fragment/source_blocks16.c: texture coordinates in perspective, a divide every 16 pixels. A stage;
- * see source_blocks.h. */
+/* fragment/source_blocks16.c: texture coordinates in perspective, a divide every 16 pixels. A
+ * stage; see source_blocks.h. */
 #include "source_blocks_parts.h"
 
 void etch_source_texture_blocks16(struct etch_chunk *chunk, const void *data)

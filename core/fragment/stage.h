@@ -50,8 +50,8 @@ struct etch_chunk {
 #define ETCH_CHUNK_ALPHA_MAX (UINT32_C(255) << 8)
 
 /* A channel of a chunk from its plane, 5.27 or 6.26 with the half of rounding in it, which goes off
- * again. What 16 bits cannot hold is cut: adding the half to what is left and cutting gives the pixel
- * that the plane itself gives. */
+ * again. What 16 bits cannot hold is cut: adding the half to what is left and cutting gives the
+ * pixel that the plane itself gives. */
 ETCH_INLINE uint32_t etch_chunk_channel(uint32_t plane, uint32_t half, uint32_t most)
 {
     const uint32_t v = plane > half ? (plane - half) >> 16 : 0;
@@ -82,8 +82,8 @@ struct etch_staged_paint {
     const struct etch_stage *stages;
 };
 
-/* Runs the stages over every chunk of the runs. The rest of the list is left out for a chunk without
- * a pixel that is alive or stencilled. 400 bytes of stack. */
+/* Runs the stages over every chunk of the runs. The rest of the list is left out for a chunk
+ * without a pixel that is alive or stencilled. 400 bytes of stack. */
 etch_kernel etch_kernel_staged;
 
 #endif

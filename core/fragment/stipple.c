@@ -1,4 +1,5 @@
-/* fragment/stipple.c: runs through an 8 x 8 stipple. Shapes call it through a paint. See pattern.h. */
+/* fragment/stipple.c: runs through an 8 x 8 stipple. Shapes call it through a paint. See pattern.h.
+ */
 #include "stipple_pieces.h"
 
 void etch_kernel_stipple(const struct etch_surface *surface, int16_t y0,

@@ -1,4 +1,5 @@
-/* fragment/stipple_cover.c: covers through an 8 x 8 stipple. Smooth shapes call it. See pattern.h. */
+/* fragment/stipple_cover.c: covers through an 8 x 8 stipple. Smooth shapes call it. See pattern.h.
+ */
 #include "stipple_pieces.h"
 
 void etch_cover_stipple(const struct etch_surface *surface, int16_t x, int16_t y, uint16_t n,

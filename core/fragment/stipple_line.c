@@ -1,5 +1,5 @@
-/* fragment/stipple_line.c: the runs of a line through 16 bits. draw/line_stipple.c hands it to lines. See
- * pattern.h. */
+/* fragment/stipple_line.c: the runs of a line through 16 bits. draw/line_stipple.c hands it to
+ * lines. See pattern.h. */
 #include "stipple_pieces.h"
 
 void etch_kernel_line_stipple(const struct etch_surface *surface, int16_t y0,

@@ -9,8 +9,8 @@ ETCH_INLINE bool stipple_has(uint32_t pattern, int32_t k)
     return (pattern >> (15 - (k & 15)) & 1) != 0;
 }
 
-/* The next pixels from *x on, before x1, whose bits are set: *x .. the result. Pixel x has bit k at first, and
- * its neighbour to the right k + step. None are left if the two are equal. */
+/* The next pixels from *x on, before x1, whose bits are set: *x .. the result. Pixel x has bit k at
+ * first, and its neighbour to the right k + step. None are left if the two are equal. */
 ETCH_INLINE int32_t stipple_next(uint32_t pattern, int32_t *x, int32_t x1, int32_t k, int32_t step)
 {
     int32_t to;

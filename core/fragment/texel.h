@@ -1,8 +1,10 @@
-/* fragment/texel.h: the parts that the functions of sampler.h are made from, shipped ones and yours.
+/* fragment/texel.h: the parts that the functions of sampler.h are made from, shipped ones and
+ * yours.
  *
- * An address is an inline function from a whole coordinate to a texel, a format one from an image and
- * the place of a texel to its colour or alpha. One line makes a function over a chunk from one of
- * them, or fuses a filter from all of them, which then looks at no other function of the sampler:
+ * An address is an inline function from a whole coordinate to a texel, a format one from an image
+ * and the place of a texel to its colour or alpha. One line makes a function over a chunk from one
+ * of them, or fuses a filter from all of them, which then looks at no other function of the
+ * sampler:
  *
  *      ETCH_FILTER_NEAREST(my_filter, etch_address_clamp, etch_texel_index4, etch_texel_alpha4)
  *
@@ -14,7 +16,8 @@
 #include "sampler.h"
 
 /* ---- addresses: the texel, 0 .. size - 1, of the whole coordinate k, -32769 .. 32768. *first is 0
- * at the first of a row of pixels, then the function's own. ------------------------------------- */
+ * at the first of a row of pixels, then the function's own. -------------------------------------
+ */
 
 typedef uint16_t etch_texel_address(int32_t k, uint16_t size, int32_t *first);
 
@@ -63,8 +66,8 @@ ETCH_INLINE uint16_t etch_address_mirror_power(int32_t k, uint16_t size, int32_t
     return (uint16_t)(((c & size) != 0 ? ~c : c) & ((uint32_t)size - 1));
 }
 
-/* floor(c + shift), -32769 .. 32768. Half the coordinate leaves room for the shift, and the bit that
- * it drops is below that of the shift. */
+/* floor(c + shift), -32769 .. 32768. Half the coordinate leaves room for the shift, and the bit
+ * that it drops is below that of the shift. */
 ETCH_INLINE int32_t etch_texel_floor(int32_t c_q16, int16_t shift_q15)
 {
     return ((c_q16 >> 1) + shift_q15) >> 15;

@@ -40,8 +40,8 @@ struct etch_perspective_paint {
  * From the exact coordinate the line errs by at most D (q - 1) / 4, beside what its ends err: D is
  * what the coordinate changes by in the block and q >= 1 the ratio of 1/w at its ends. For with t
  * from 0 to 1 the exact one is from + D t q / (1 + t (q - 1)), which differs from from + D t by
- * D t (1 - t) (q - 1) / (1 + t (q - 1)), D (sqrt(q) - 1) / (sqrt(q) + 1) where it is greatest. So by
- * less than D / 4, since q <= 2 where set-up allows blocks; by 1/80 of D where 1/w changes by a
+ * D t (1 - t) (q - 1) / (1 + t (q - 1)), D (sqrt(q) - 1) / (sqrt(q) + 1) where it is greatest. So
+ * by less than D / 4, since q <= 2 where set-up allows blocks; by 1/80 of D where 1/w changes by a
  * twentieth. */
 etch_kernel etch_kernel_perspective;
 etch_kernel etch_kernel_perspective_less;

@@ -1,5 +1,5 @@
-/* fragment/texture_decal.c: the texture over the fragment's colour, by the texture's alpha. A stage,
- * called by etch_kernel_staged. See sampler.h. */
+/* fragment/texture_decal.c: the texture over the fragment's colour, by the texture's alpha. A
+ * stage, called by etch_kernel_staged. See sampler.h. */
 #include "sampler.h"
 #include "texture_factor.h"
 

@@ -1,4 +1,5 @@
-/* fragment/texture_lequal.c: affine texture where not farther than the depth plane. See texture.h. */
+/* fragment/texture_lequal.c: affine texture where not farther than the depth plane. See texture.h.
+ */
 #include "texture_row.h"
 
 void etch_kernel_texture_lequal(const struct etch_surface *surface, int16_t y0,

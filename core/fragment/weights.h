@@ -13,7 +13,8 @@
 
 #define ETCH_WEIGHT_ONE (INT32_C(1) << 29)
 
-/* The weights of the sorted vertices 1 and 2, 0 .. ETCH_WEIGHT_ONE; that of vertex 0 is the rest. */
+/* The weights of the sorted vertices 1 and 2, 0 .. ETCH_WEIGHT_ONE; that of vertex 0 is the rest.
+ */
 struct etch_weight_pair {
     int32_t one, two;
 };

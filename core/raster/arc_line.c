@@ -1,7 +1,7 @@
 /* raster/arc_line.c: parts of circles to runs. Called by draw/ and applications. See arc.h.
  *
- * The circle is the disc less what is inside its border: on row b the columns less than w(b) from the centre,
- * and no further than w(b + 1), the row beyond. */
+ * The circle is the disc less what is inside its border: on row b the columns less than w(b) from
+ * the centre, and no further than w(b + 1), the row beyond. */
 #include "arc.h"
 #include "arc_part.h"
 

@@ -1,4 +1,5 @@
-/* raster/arc_outline.c: the borders of parts of rings to runs. Called by draw/ and applications. See arc.h. */
+/* raster/arc_outline.c: the borders of parts of rings to runs. Called by draw/ and applications.
+ * See arc.h. */
 #include "arc.h"
 #include "arc_part.h"
 

@@ -1,5 +1,5 @@
-/* raster/circle.c: the midpoint circle, two octants at a time. Called by applications. See circle.h, and
- * octant.h for the derivation.
+/* raster/circle.c: the midpoint circle, two octants at a time. Called by applications. See
+ * circle.h, and octant.h for the derivation.
  *
  * The pixels right and left of the centre column lie in one row, so one decision serves both. The
  * octants whose rows are cy +- y(x) are called flat, those with cy +- x steep.

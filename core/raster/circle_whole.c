@@ -1,5 +1,5 @@
-/* raster/circle_whole.c: a circle that no clip cuts, four octants at a time. Called by circle.c. See
- * octant.h. */
+/* raster/circle_whole.c: a circle that no clip cuts, four octants at a time. Called by circle.c.
+ * See octant.h. */
 #include "octant.h"
 
 /* Four pixels for one decision: right and left of the centre, below and above. */
@@ -39,11 +39,12 @@ static void flat(uint16_t *centre, ptrdiff_t row, int32_t r, int32_t end, uint16
 
 static void steep(uint16_t *centre, ptrdiff_t row, int32_t r, int32_t end, uint16_t color)
 {
-    struct four four = {centre + r, centre - r, 0};
+    uint16_t *const east = centre + r, *const west = centre - r;
+    struct four four = {east, west, 0};
     int32_t right = -1, down = 2 * r - 2, d = -r;
 
-    *four.right = color;
-    *four.left = color;
+    *east = color;
+    *west = color;
     while (right != 2 * end - 1) {
         right += 2;
         four.right += row, four.left += row, four.above -= 2 * row;

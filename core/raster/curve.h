@@ -9,9 +9,9 @@
  * The points are the curve's own, exactly computed by forward differences and rounded half up to
  * 1/256 px, so the polyline is within flatness + 1/256 px of the curve everywhere; k depends on
  * the control points alone, and both ends are met exactly. Control points within -2^23 .. 2^23.
- * Source: the bound is that of linear interpolation, h^2 / 8 max |p''|, as used by R. F. Riesenfeld,
- * J. Lane, "A theoretical development for the computer generation and display of piecewise
- * polynomial surfaces", 1980; forward differences: S. Coons, 1967.
+ * Source: the bound is that of linear interpolation, h^2 / 8 max |p''|, as used by R. F.
+ * Riesenfeld, J. Lane, "A theoretical development for the computer generation and display of
+ * piecewise polynomial surfaces", 1980; forward differences: S. Coons, 1967.
  */
 #ifndef ETCH_RASTER_CURVE_H
 #define ETCH_RASTER_CURVE_H

@@ -5,8 +5,8 @@
  *
  *      n^3 p(i / n) = A i^3 + B n i^2 + C n^2 i + p0 n^3
  *
- * whose differences at 0 are A + B n + C n^2, 6 A + 2 B n and 6 A. On the curve |n^3 p| <= 2^23 2^39:
- * it is a mean of the control points. One step of it is at most 3 2^24 n^2 < 2^52. */
+ * whose differences at 0 are A + B n + C n^2, 6 A + 2 B n and 6 A. On the curve |n^3 p| <= 2^23
+ * 2^39: it is a mean of the control points. One step of it is at most 3 2^24 n^2 < 2^52. */
 #include "curve_length.h"
 
 struct axis {

@@ -1,7 +1,7 @@
 /* raster/disc_half.c: walks the edge of a disc. Called by rings and arcs. See disc_half.h.
  *
- * oval.c's F <= 0 or G <= 0 with R = S = 1, in whole numbers: F <= 0 iff a^2 + b^2 - r^2 < b, G <= 0 iff it is
- * < a. For a, b <= r it is within -2^30 .. 2^30. */
+ * oval.c's F <= 0 or G <= 0 with R = S = 1, in whole numbers: F <= 0 iff a^2 + b^2 - r^2 < b, G <=
+ * 0 iff it is < a. For a, b <= r it is within -2^30 .. 2^30. */
 #include "disc_half.h"
 
 void etch_disc_view_init(struct etch_disc_view *view, int32_t x, int32_t x0, int32_t x1)

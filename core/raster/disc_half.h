@@ -1,8 +1,8 @@
 /* raster/disc_half.h: half the width of a disc, row by row; no part of the API.
  *
- * As oval.h with rx = ry, for rings and arcs: with equal radii a pixel `a` columns and `b` rows off the centre
- * is in the disc of radius r iff a^2 + b^2 - r^2 < max(a, b), which 32 bits hold: both squares are at most
- * 32767^2.
+ * As oval.h with rx = ry, for rings and arcs: with equal radii a pixel `a` columns and `b` rows off
+ * the centre is in the disc of radius r iff a^2 + b^2 - r^2 < max(a, b), which 32 bits hold: both
+ * squares are at most 32767^2.
  */
 #ifndef ETCH_RASTER_DISC_HALF_H
 #define ETCH_RASTER_DISC_HALF_H

@@ -3,7 +3,8 @@
  * An edge from (xa, ya) down to (xb, yb) in 1/256 px crosses the row of centres y_c = 256 y + 128
  * at x_c = xa + (y_c - ya) dx / dy, and the first pixel whose centre is at or right of it is
  *
- *      x = ceil((x_c - 128) / 256) = ceil(M / dy),   M = ceil(((xa - 128) dy + (y_c - ya) dx) / 256)
+ *      x = ceil((x_c - 128) / 256) = ceil(M / dy)
+ *      M = ceil(((xa - 128) dy + (y_c - ya) dx) / 256)
  *
  * A row further down M grows by exactly dx. So x and e = x dy - M, 0 <= e < dy, step by the
  * quotient and remainder of dx / dy: no rounding, no division, and two triangles that share an
@@ -98,8 +99,8 @@ ETCH_INLINE void edge_start(struct edge *g, struct etch_point_q8 a, struct etch_
     edge_place(g, a.x, dx, dy, (128 - a.y) & 255, tall);
 }
 
-/* x first: gcc would put its sum between the subtraction of e and the branch on it, and compare once
- * more. No instruction. */
+/* x first: gcc would put its sum between the subtraction of e and the branch on it, and compare
+ * once more. No instruction. */
 #if defined(__GNUC__)
 #define STEP_FIRST(x, e) __asm__("" : "+r"(x), "+r"(e))
 #else

@@ -39,7 +39,8 @@ struct etch_implicit {
 };
 
 /* A side function for shapes of which it is known how fast F changes: from a pixel to its neighbour
- * in x or in y by at most `slope`, all over the box. It asks the value in the middle of the tile. */
+ * in x or in y by at most `slope`, all over the box. It asks the value in the middle of the tile.
+ */
 etch_implicit_side_function etch_implicit_side_slope;
 
 /* The answer of a side function that knows bounds, least <= F <= most on the tile. */

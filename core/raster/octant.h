@@ -64,8 +64,8 @@ int32_t etch_octant_start(struct etch_octant_pen *pen, int32_t x, int32_t r);
 uint16_t *etch_octant_walk(struct etch_octant_pen *pen, uint16_t *p, ptrdiff_t along,
                            ptrdiff_t across, int32_t to, uint16_t color);
 
-/* A circle that is inside the window: r > 0, octant_end, and the last x of the octants whose rows are
- * x from the centre's. */
+/* A circle that is inside the window: r > 0, octant_end, and the last x of the octants whose rows
+ * are x from the centre's. */
 void etch_circle_whole(uint16_t *centre, ptrdiff_t row, int32_t r, int32_t end, int32_t steep_end,
                        uint16_t color);
 

@@ -1,4 +1,5 @@
-/* raster/outline_ellipse.c: circles and ellipses as contours. Called by applications. See outline.h. */
+/* raster/outline_ellipse.c: circles and ellipses as contours. Called by applications. See
+ * outline.h. */
 #include "outline_parts.h"
 
 void etch_outline_ellipse(const struct etch_outline *o, struct etch_point_q8 centre, int32_t rx,

@@ -1,4 +1,5 @@
-/* raster/outline_round_rect.c: rounded rectangles as contours. Called by applications. See outline.h. */
+/* raster/outline_round_rect.c: rounded rectangles as contours. Called by applications. See
+ * outline.h. */
 #include "outline_parts.h"
 
 void etch_outline_round_rect(const struct etch_outline *o, struct etch_point_q8 a,

@@ -1,14 +1,16 @@
-/* raster/oval.c: walks the edge of an ellipse. Called by ellipses, rounded rectangles and rings. See oval.h.
+/* raster/oval.c: walks the edge of an ellipse. Called by ellipses, rounded rectangles and rings.
+ * See oval.h.
  *
- * With R = rx^2 and S = ry^2, or both divided by their common r^2, the pixel (a, b) is in the ellipse iff F or
- * G is not above 0:
+ * With R = rx^2 and S = ry^2, or both divided by their common r^2, the pixel (a, b) is in the
+ * ellipse iff F or G is not above 0:
  *
  *      F = 4 S a^2 + R (2 b - 1)^2 - 4 R ry^2        half a pixel up
  *      G = S (2 a - 1)^2 + 4 R b^2 - 4 R ry^2        half a pixel to the left
  *      F(a + 1) = F + 4 S (2 a + 1)   G(a + 1) = G + 8 S a
  *      F(b + 1) = F + 8 R b           G(b + 1) = G + 4 R (2 b + 1)
  *
- * For a <= rx and b <= ry each term is at most 2^62, and so is the sum. (0, b) needs no test: w >= 0. */
+ * For a <= rx and b <= ry each term is at most 2^62, and so is the sum. (0, b) needs no test: w >=
+ * 0. */
 #include "oval.h"
 
 bool etch_oval_init(struct etch_oval *o, int32_t x0, int32_t x1, int32_t rx, int32_t ry,

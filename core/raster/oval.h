@@ -1,8 +1,8 @@
 /* raster/oval.h: half the width of an ellipse or a disc, row by row; no part of the API.
  *
- * A pixel `a` columns and `b` rows off the centre is in the ellipse if a step of half a pixel towards the
- * centre, across or down, leads into x^2 / rx^2 + y^2 / ry^2 <= 1 (ellipse.h). On a row these are the columns
- * 0 .. w(b), and w never grows with b.
+ * A pixel `a` columns and `b` rows off the centre is in the ellipse if a step of half a pixel
+ * towards the centre, across or down, leads into x^2 / rx^2 + y^2 / ry^2 <= 1 (ellipse.h). On a row
+ * these are the columns 0 .. w(b), and w never grows with b.
  */
 #ifndef ETCH_RASTER_OVAL_H
 #define ETCH_RASTER_OVAL_H
@@ -22,8 +22,9 @@ struct etch_oval_edge {
     int64_t f_right, f_down; /* what they grow by */
 };
 
-/* An oval that reaches rx to the left of column x0 and to the right of x1 >= x0, and of which only the columns
- * of `view` and those next to it matter. False if none of it lies in them, or rx or ry is below 0. */
+/* An oval that reaches rx to the left of column x0 and to the right of x1 >= x0, and of which only
+ * the columns of `view` and those next to it matter. False if none of it lies in them, or rx or ry
+ * is below 0. */
 bool etch_oval_init(struct etch_oval *o, int32_t x0, int32_t x1, int32_t rx, int32_t ry,
                     struct etch_span view);
 

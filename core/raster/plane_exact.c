@@ -1,5 +1,5 @@
-/* raster/plane_exact.c: numerators of interpolated values. Called by draw/ for the exact modes, once
- * per varying of a visible triangle. See plane_exact.h; the slopes are those of plane.c before
+/* raster/plane_exact.c: numerators of interpolated values. Called by draw/ for the exact modes,
+ * once per varying of a visible triangle. See plane_exact.h; the slopes are those of plane.c before
  * their division by D, times 256 for a step of a pixel. All is modulo 2^64. */
 #include "plane_exact.h"
 

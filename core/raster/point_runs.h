@@ -18,8 +18,8 @@ typedef void etch_point_runs(const struct etch_surface *surface, int32_t x_q8, i
 etch_point_runs etch_point_runs_square;
 
 /* The disc: a pixel is covered iff its centre is inside or on the circle of that diameter. Round
- * a pixel's centre a size of 0 covers that pixel, elsewhere nothing. A 32-bit square root of 16 steps
- * for each visible row. */
+ * a pixel's centre a size of 0 covers that pixel, elsewhere nothing. A 32-bit square root of 16
+ * steps for each visible row. */
 etch_point_runs etch_point_runs_round;
 
 #endif

@@ -67,8 +67,8 @@ enum etch_status etch_polygon_add_pixels(struct etch_polygon *p, const struct et
 
 /* Hands the runs inside surface->clip to the paint. The first call sorts the edges by their rows.
  * Cost: nothing for rows outside the clip or between contours; a 64-bit division for each edge that
- * is cut by the top of the clip, none where a strip continues the one above; then, for edges that are
- * not right of the clip, a step an edge and row, and an insertion where edges cross. */
+ * is cut by the top of the clip, none where a strip continues the one above; then, for edges that
+ * are not right of the clip, a step an edge and row, and an insertion where edges cross. */
 void etch_polygon_runs_evenodd(const struct etch_surface *surface, struct etch_polygon *p,
                                const struct etch_paint *paint);
 void etch_polygon_runs_nonzero(const struct etch_surface *surface, struct etch_polygon *p,

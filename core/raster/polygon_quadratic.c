@@ -1,5 +1,5 @@
-/* raster/polygon_quadratic.c: quadratic curves in the contours of polygons. Called by applications. See
- * curve.h. */
+/* raster/polygon_quadratic.c: quadratic curves in the contours of polygons. Called by applications.
+ * See curve.h. */
 #include "curve.h"
 
 struct contour {

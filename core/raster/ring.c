@@ -1,4 +1,5 @@
-/* raster/ring.c: rings to runs. Called by draw/ and applications; arc.c takes its rows. See arc.h. */
+/* raster/ring.c: rings to runs. Called by draw/ and applications; arc.c takes its rows. See arc.h.
+ */
 #include "ring.h"
 #include "arc.h"
 

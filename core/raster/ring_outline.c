@@ -1,4 +1,5 @@
-/* raster/ring_outline.c: the borders of rings to runs. Called by draw/ and applications. See arc.h. */
+/* raster/ring_outline.c: the borders of rings to runs. Called by draw/ and applications. See arc.h.
+ */
 #include "arc.h"
 #include "ring.h"
 

@@ -1,4 +1,5 @@
-/* raster/round_rect.c: rounded rectangles to runs. Called by draw/ and applications. See round_rect.h. */
+/* raster/round_rect.c: rounded rectangles to runs. Called by draw/ and applications. See
+ * round_rect.h. */
 #include "round_rect.h"
 #include "stretched.h"
 

@@ -1,5 +1,5 @@
-/* raster/rows.c: the inside of shapes that know their rows. Called by ellipse.c, arc.c and the like. See
- * rows.h. */
+/* raster/rows.c: the inside of shapes that know their rows. Called by ellipse.c, arc.c and the
+ * like. See rows.h. */
 #include "rows.h"
 
 void etch_row_add(struct etch_row *row, int32_t x0, int32_t x1)
@@ -17,9 +17,10 @@ void etch_row_add(struct etch_row *row, int32_t x0, int32_t x1)
     row->span[row->count++].x1 = x1;
 }
 
-/* Runs of rows that have equally many, the first ones of all, then the second ones, .. as in run_band.h. What
- * comes as a row of spans needs no second place to gather it; twelve runs keep the shapes that stand on this
- * within 512 bytes of stack and cost up to 4 % more instructions than 32. */
+/* Runs of rows that have equally many, the first ones of all, then the second ones, .. as in
+ * run_band.h. What comes as a row of spans needs no second place to gather it; twelve runs keep the
+ * shapes that stand on this within 512 bytes of stack and cost up to 4 % more instructions than 32.
+ */
 #define BLOCK 12
 struct block {
     struct etch_run run[BLOCK];

@@ -16,8 +16,8 @@ struct etch_row {
     struct etch_span span[ETCH_ROW_SPANS];
 };
 
-/* Adds a span that begins at or right of the last one's beginning, joined to it if they meet; an empty one
- * adds nothing. */
+/* Adds a span that begins at or right of the last one's beginning, joined to it if they meet; an
+ * empty one adds nothing. */
 void etch_row_add(struct etch_row *row, int32_t x0, int32_t x1);
 
 /* Adds to `row`, which is empty, the spans of frame row y. Rows are asked from top to bottom. */
@@ -34,8 +34,8 @@ struct etch_rows {
 void etch_rows_fill(const struct etch_surface *surface, const struct etch_rows *rows,
                     const struct etch_paint *paint);
 
-/* Likewise the pixels of the shape of which one of the four neighbours is none. The shape must know its
- * spans in etch_rows_known. */
+/* Likewise the pixels of the shape of which one of the four neighbours is none. The shape must know
+ * its spans in etch_rows_known. */
 void etch_rows_outline(const struct etch_surface *surface, const struct etch_rows *rows,
                        const struct etch_paint *paint);
 

@@ -1,22 +1,15 @@
-/* raster/rows_outline.c: the border of shapes that know their rows. Called by the outlines of rings and
- * pies. See rows.h.
+/* raster/rows_outline.c: the border of shapes that know their rows. Called by the outlines of rings
+ * and pies. See rows.h.
  *
  * A row without the pixels whose neighbours above, below, left and right are all in the shape:
  *
-<<<<<<< HEAD
  *      above   ..########..
- *      row     .##########.     less  the spans, one pixel shorter at both ends, that are also above
- *      below   ..####..####           and below:  ...###..##..
+ *      row     .##########.   less  the spans, one pixel shorter at both ends, that are also above
+ *      below   ..####..####         and below:  ...###..##..
  *      border  .##...##..##
  *
- * Most runs are a pixel or two, and a row has up to eight: each goes to the kernel alone, which is no slower than
- * sorting them into blocks, and needs no memory for them.
-=======
- *  above   ..########..
- *  row     .##########.     less  the spans, one pixel shorter at both ends, that are also above
- *  below   ..####..####           and below:  ...###..##..
- *  border  .##...##..##
->>>>>>> origin/main
+ * Most runs are a pixel or two, and a row has up to eight: each goes to the kernel alone, which is
+ * no slower than sorting them into blocks, and needs no memory for them.
  */
 #include "rows.h"
 

@@ -1,14 +1,14 @@
 /* raster/sector.c: rows of sectors. Called by arcs and pies. See sector.h.
  *
- * For a ray u the half turn [u, u + 1/2) is { p : u x p > 0 } and the ray itself. On row b, with u_y > 0, these
- * are the columns
+ * For a ray u the half turn [u, u + 1/2) is { p : u x p > 0 } and the ray itself. On row b, with
+ * u_y > 0, these are the columns
  *
  *      x < b u_x / u_y       and x == b u_x / u_y too if b > 0, where the ray is
  *
- * that is x < cut(b) with cut = floor + 1 below the centre and ceil at and above it; the opposite ray has the
- * rest. The least u_y > 0 is 102,943 2^-30, so |u_x / u_y| < 10,431. A sector of up to half a
- * turn is what the half turn of its first ray has and that of its last ray has not; a larger one is all but
- * the sector that is left. */
+ * that is x < cut(b) with cut = floor + 1 below the centre and ceil at and above it; the opposite
+ * ray has the rest. The least u_y > 0 is 102,943 2^-30, so |u_x / u_y| < 10,431. A sector of up to
+ * half a turn is what the half turn of its first ray has and that of its last ray has not; a larger
+ * one is all but the sector that is left. */
 #include "sector.h"
 #include "../base/trig.h"
 

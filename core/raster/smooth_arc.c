@@ -1,4 +1,5 @@
-/* raster/smooth_arc.c: smooth parts of rings and discs. Called by applications. See smooth_shapes.h. */
+/* raster/smooth_arc.c: smooth parts of rings and discs. Called by applications. See
+ * smooth_shapes.h. */
 #include "sector.h"
 #include "smooth_ring.h"
 

@@ -1,8 +1,8 @@
-/* raster/smooth_edge.c: where an edge crosses the lines of a row. Called by smooth_walk.c and smooth_line.c. See
- * smooth_walk.h.
+/* raster/smooth_edge.c: where an edge crosses the lines of a row. Called by smooth_walk.c and
+ * smooth_line.c. See smooth_walk.h.
  *
- * On line k an edge lies at x = a.x + floor(dx t / dy) with t = 16 k + 8 - a.y, 0 <= t < dy: the product is
- * below 2^49. From line to line it steps by 16 dx / dy, |16 dx| <= 2^28. */
+ * On line k an edge lies at x = a.x + floor(dx t / dy) with t = 16 k + 8 - a.y, 0 <= t < dy: the
+ * product is below 2^49. From line to line it steps by 16 dx / dy, |16 dx| <= 2^28. */
 #include "smooth_walk.h"
 
 void etch_smooth_edge_place(struct etch_smooth_edge *g, int32_t line)

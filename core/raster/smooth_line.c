@@ -1,5 +1,5 @@
-/* raster/smooth_line.c: smooth lines with square ends. Called by applications and smooth_line_round.c. See
- * smooth_shapes.h. */
+/* raster/smooth_line.c: smooth lines with square ends. Called by applications and
+ * smooth_line_round.c. See smooth_shapes.h. */
 #include "smooth_line.h"
 #include "stroke_parts.h"
 

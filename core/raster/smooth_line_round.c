@@ -1,7 +1,8 @@
-/* raster/smooth_line_round.c: smooth lines with round ends. Called by applications. See smooth_shapes.h.
+/* raster/smooth_line_round.c: smooth lines with round ends. Called by applications. See
+ * smooth_shapes.h.
  *
- * The shape is convex, so each line has one interval: from the first to the last end of those of the rectangle
- * and of the two discs. */
+ * The shape is convex, so each line has one interval: from the first to the last end of those of
+ * the rectangle and of the two discs. */
 #include "smooth_line.h"
 #include "smooth_lines.h"
 #include "smooth_walk.h"

@@ -1,5 +1,5 @@
-/* raster/smooth_lines.c: the rows of shapes that know their lines. Called by smooth_ring.c and the like. See
- * smooth_lines.h. */
+/* raster/smooth_lines.c: the rows of shapes that know their lines. Called by smooth_ring.c and the
+ * like. See smooth_lines.h. */
 #include "smooth_lines.h"
 #include "smooth_walk.h"
 

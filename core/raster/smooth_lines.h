@@ -1,12 +1,13 @@
-/* raster/smooth_lines.h: smooth shapes that know their intervals line by line; no part of the API. */
+/* raster/smooth_lines.h: smooth shapes that know their intervals line by line; no part of the API.
+ */
 #ifndef ETCH_RASTER_SMOOTH_LINES_H
 #define ETCH_RASTER_SMOOTH_LINES_H
 
 #include "rows.h"
 #include "smooth_shapes.h"
 
-/* Adds to `row`, which is empty, the intervals of the line at the height y; all in 1/256 px. Lines are asked from
- * top to bottom, 16 apart. */
+/* Adds to `row`, which is empty, the intervals of the line at the height y; all in 1/256 px. Lines
+ * are asked from top to bottom, 16 apart. */
 struct etch_smooth_lines {
     etch_row_function *line;
     void *shape;

@@ -1,4 +1,5 @@
-/* raster/smooth_polygon.c: smooth polygons in one call. Called by applications. See smooth_shapes.h. */
+/* raster/smooth_polygon.c: smooth polygons in one call. Called by applications. See
+ * smooth_shapes.h. */
 #include "smooth_shapes.h"
 
 enum etch_status etch_smooth_polygon(const struct etch_surface *s, const struct etch_point_q8 *v,

@@ -1,4 +1,5 @@
-/* raster/smooth_ring.c: smooth discs, circles and rings. Called by applications. See smooth_shapes.h. */
+/* raster/smooth_ring.c: smooth discs, circles and rings. Called by applications. See
+ * smooth_shapes.h. */
 #include "smooth_ring.h"
 
 static void line(void *shape, int32_t y, struct etch_row *row)

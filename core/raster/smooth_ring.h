@@ -9,7 +9,8 @@ struct etch_smooth_ring {
     int32_t outer, inner; /* inner < outer; below 0: no hole */
 };
 
-/* The two intervals of a line, left x0 .. x1 and right x2 .. x3; without a hole x1 = x2. False without any. */
+/* The two intervals of a line, left x0 .. x1 and right x2 .. x3; without a hole x1 = x2. False
+ * without any. */
 struct etch_ring_line {
     int32_t x0, x1, x2, x3;
 };

@@ -1,5 +1,5 @@
-/* raster/smooth_round_rect.c: smooth rounded rectangles and their frames. Called by applications. See
- * smooth_shapes.h. */
+/* raster/smooth_round_rect.c: smooth rounded rectangles and their frames. Called by applications.
+ * See smooth_shapes.h. */
 #include "smooth_lines.h"
 
 struct box {

@@ -1,5 +1,5 @@
-/* raster/smooth_row.c: the covers of a row, from the changes that its lines made. Called by smooth_walk.c and
- * smooth_rows.c. See smooth_walk.h. */
+/* raster/smooth_row.c: the covers of a row, from the changes that its lines made. Called by
+ * smooth_walk.c and smooth_rows.c. See smooth_walk.h. */
 #include "smooth_walk.h"
 
 void etch_smooth_row_init(struct etch_smooth_row *row, const struct etch_surface *s, int16_t *cover)
@@ -15,8 +15,8 @@ void etch_smooth_row_init(struct etch_smooth_row *row, const struct etch_surface
     row->to = -1;
 }
 
-/* Sums the changes up, hands over what is covered and leaves the row zero. All that begins in a row ends in
- * it, at the clip's end at the latest, so the last sum is 0. */
+/* Sums the changes up, hands over what is covered and leaves the row zero. All that begins in a row
+ * ends in it, at the clip's end at the latest, so the last sum is 0. */
 void etch_smooth_row_end(struct etch_smooth_row *row, const struct etch_surface *s, int16_t y,
                          const struct etch_cover_paint *paint)
 {

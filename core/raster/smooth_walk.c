@@ -1,5 +1,5 @@
-/* raster/smooth_walk.c: walks the 16 lines of each row. Called by smooth_nonzero.c and smooth_evenodd.c. See
- * smooth.h.
+/* raster/smooth_walk.c: walks the 16 lines of each row. Called by smooth_nonzero.c and
+ * smooth_evenodd.c. See smooth.h.
  *
  * Each row begins anew, so that no strip and no clip matters. */
 #include "smooth_walk.h"

@@ -30,9 +30,9 @@ typedef void etch_smooth_rule(struct etch_smooth_row *row, const struct etch_smo
 void etch_smooth_walk(const struct etch_surface *surface, struct etch_smooth *p,
                       const struct etch_cover_paint *paint, int16_t *cover, etch_smooth_rule *line);
 
-/* An interval begins (share = 1) or ends (-1) at x. Where one begins at f / 256 of a pixel, the pixel gains
- * 256 - f and all that follow it 256. On a line the intervals are apart, so their changes of a pixel sum to
- * -256 .. 256, and those of 16 lines to -4096 .. 4096. */
+/* An interval begins (share = 1) or ends (-1) at x. Where one begins at f / 256 of a pixel, the
+ * pixel gains 256 - f and all that follow it 256. On a line the intervals are apart, so their
+ * changes of a pixel sum to -256 .. 256, and those of 16 lines to -4096 .. 4096. */
 ETCH_INLINE void etch_smooth_mark(struct etch_smooth_row *row, int32_t x, int32_t share)
 {
     const int32_t at = x < row->left ? 0 : x - row->left > row->width ? row->width : x - row->left;

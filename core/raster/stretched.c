@@ -1,5 +1,5 @@
-/* raster/stretched.c: the rows of ellipses and rounded rectangles. Called by ellipse.c and round_rect.c. See
- * stretched.h. */
+/* raster/stretched.c: the rows of ellipses and rounded rectangles. Called by ellipse.c and
+ * round_rect.c. See stretched.h. */
 #include "stretched.h"
 
 bool etch_stretched_init(struct etch_stretched *p, const struct etch_surface *s, int32_t rx,
@@ -41,7 +41,8 @@ static void inside(void *shape, int32_t y, struct etch_row *row)
     etch_row_add(row, p->x0 - w, p->x1 + w + 1);
 }
 
-/* Off the border are the columns less than w from the box's, and no further than the neighbour rows reach. */
+/* Off the border are the columns less than w from the box's, and no further than the neighbour rows
+ * reach. */
 static void border(void *shape, int32_t y, struct etch_row *row)
 {
     struct etch_stretched *const p = shape;

@@ -1,5 +1,5 @@
-/* raster/stretched.h: an ellipse drawn apart in both directions: ellipses and rounded rectangles; no part of
- * the API.
+/* raster/stretched.h: an ellipse drawn apart in both directions: ellipses and rounded rectangles;
+ * no part of the API.
  *
  *        x0   x1
  *       .######.
@@ -19,11 +19,13 @@ struct etch_stretched {
     struct etch_oval_edge outer; /* of the row further from the centre; moved by outlines */
 };
 
-/* False if nothing of it can be seen: w or h of the box below 1, a radius below 0, or beside the clip. */
+/* False if nothing of it can be seen: w or h of the box below 1, a radius below 0, or beside the
+ * clip. */
 bool etch_stretched_init(struct etch_stretched *p, const struct etch_surface *s, int32_t rx,
                          int32_t ry);
 
-/* The box and radius of a rounded rectangle; p->oval is not set yet. Returns the radius, -1 without one. */
+/* The box and radius of a rounded rectangle; p->oval is not set yet. Returns the radius, -1 without
+ * one. */
 int32_t etch_stretched_box(struct etch_stretched *p, int16_t x, int16_t y, int16_t w, int16_t h,
                            int16_t r);
 

@@ -1,4 +1,5 @@
-/* raster/stroke_cap_square.c: ends half a width longer. Named in struct etch_stroke. See stroke.h. */
+/* raster/stroke_cap_square.c: ends half a width longer. Named in struct etch_stroke. See stroke.h.
+ */
 #include "stroke_parts.h"
 
 void etch_cap_square(const struct etch_outline *o, struct etch_point_q8 p, struct etch_point_q8 in,

@@ -1,7 +1,7 @@
 /* raster/stroke_dashes.c: thick polylines in dashes. Called by applications. See stroke.h.
  *
- * The line is cut where dashes begin and end; what lies between two cuts or corners is a segment of its own,
- * with a joint to the one before if the dash goes on and caps where it begins and ends. */
+ * The line is cut where dashes begin and end; what lies between two cuts or corners is a segment of
+ * its own, with a joint to the one before if the dash goes on and caps where it begins and ends. */
 #include "stroke_parts.h"
 
 struct dashes {

@@ -1,8 +1,8 @@
 /* raster/stroke_join_miter.c: joints with a point. Named in struct etch_stroke. See stroke.h.
  *
- * With h half the width and t the angle between `in` and `out`, the point lies at m = (in + out) / (1 + cos t),
- * |m| = h / cos(t / 2), and the miter is |m| / h widths long. in . out = h^2 cos t, so it is within the limit L
- * iff 1 / cos^2(t / 2) = 2 h^2 / (h^2 + in . out) <= L^2. */
+ * With h half the width and t the angle between `in` and `out`, the point lies at m = (in + out) /
+ * (1 + cos t), |m| = h / cos(t / 2), and the miter is |m| / h widths long. in . out = h^2 cos t, so
+ * it is within the limit L iff 1 / cos^2(t / 2) = 2 h^2 / (h^2 + in . out) <= L^2. */
 #include "stroke_parts.h"
 
 void etch_join_miter(const struct etch_outline *o, struct etch_point_q8 p, struct etch_point_q8 in,

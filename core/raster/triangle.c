@@ -1,6 +1,6 @@
-/* raster/triangle.c: triangles to runs. Called by draw/ with a paint. See triangle.h, and edge.h for
- * how an edge is walked. Each edge is walked alone, into the x0 or x1 of a block of runs: its loop
- * then has seven values, which is what ARMv6-M has registers for. */
+/* raster/triangle.c: triangles to runs. Called by draw/ with a paint. See triangle.h, and edge.h
+ * for how an edge is walked. Each edge is walked alone, into the x0 or x1 of a block of runs: its
+ * loop then has seven values, which is what ARMv6-M has registers for. */
 #include "edge.h"
 
 /* k remainder / dy; k <= 2^16, so the product is below 2^40. */

@@ -9,9 +9,9 @@
  * rounded once where they need more than 31 bits. Projected it lies within 1/64 px of the exact
  * cut before the rounding to 1/256 px, for every input (1/512 px where the viewport is at least
  * 128 px wide and high). Its colour is a whole number of 0 .. 255, as a vertex's is, within
- * 1/2 + 1/64 of the exact one: so up to a 1/255 of full may show between a triangle that was cut and
- * its uncut neighbour, and a gradient that is cut in many small steps keeps only these.
- * Source: I. Sutherland, G. Hodgman, "Reentrant polygon clipping", 1974.
+ * 1/2 + 1/64 of the exact one: so up to a 1/255 of full may show between a triangle that was cut
+ * and its uncut neighbour, and a gradient that is cut in many small steps keeps only these. Source:
+ * I. Sutherland, G. Hodgman, "Reentrant polygon clipping", 1974.
  */
 #ifndef ETCH_VERTEX_CLIP_H
 #define ETCH_VERTEX_CLIP_H

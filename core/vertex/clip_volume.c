@@ -1,5 +1,6 @@
 /* vertex/clip_volume.c: Sutherland-Hodgman as a pipeline of six planes. Called by
- * clip_volume_assembly.c and by applications. See clip_volume.h; corner_plane.c computes the corners.
+ * clip_volume_assembly.c and by applications. See clip_volume.h; corner_plane.c computes the
+ * corners.
  *
  * A corner is where two lines of the triangle's plane meet, so two that follow each other have the
  * line between them in common, and that is what a stage cuts. */

@@ -1,5 +1,5 @@
-/* vertex/corner.c: where lines of a triangle meet, exactly. Called by corner_plane.c, corner_clip.c,
- * clip_line_planes.c and varying.c. See corner.h.
+/* vertex/corner.c: where lines of a triangle meet, exactly. Called by corner_plane.c,
+ * corner_clip.c, clip_line_planes.c and varying.c. See corner.h.
  *
  * Widths: a line's numbers have 42 bits, weights are differences of two products of them, 85
  * bits, and a corner's distance or coordinate is a sum of three weights times 42 bits. */

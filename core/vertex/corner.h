@@ -15,7 +15,8 @@
 
 #include "clip.h"
 
-/* Lines 0, 1, 2: the edges opposite to vertices 0, 1, 2; then the clip planes near, far and guard. */
+/* Lines 0, 1, 2: the edges opposite to vertices 0, 1, 2; then the clip planes near, far and guard.
+ */
 enum {
     CORNER_EDGES = 3,
     CORNER_LINES = 9

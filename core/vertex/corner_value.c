@@ -1,5 +1,5 @@
-/* vertex/corner_value.c: a varying at the corner of a clipped triangle, exactly. Called by varying.c.
- * See corner.h. */
+/* vertex/corner_value.c: a varying at the corner of a clipped triangle, exactly. Called by
+ * varying.c. See corner.h. */
 #include "corner.h"
 
 /* high * 2^60 + low, below 2^96: the weights have 90 bits, their sum 92 and remainders 94. */

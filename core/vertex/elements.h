@@ -9,12 +9,12 @@
  *      etch_elements_triangle_strip   0 1 2 3 4               0 1 2, 2 1 3, 2 3 4
  *      etch_elements_triangle_fan     0 1 2 3 4               0 1 2, 0 2 3, 0 3 4
  *
- * Every triangle of a strip turns the same way. A flat one has the colour of the vertex that it gives
- * first. Vertices are 0, 1, 2, .. or an index list. An index that is not below `limit` ends
- * the strip, loop or fan, and the next begins a new one; in lists the primitive that it belongs to is
- * left out. What remains incomplete is left out. Who takes the primitives decides what becomes of
- * them: draw/mesh_elements.h draws, a struct of your own that begins with etch_element_sink does as
- * you like.
+ * Every triangle of a strip turns the same way. A flat one has the colour of the vertex that it
+ * gives first. Vertices are 0, 1, 2, .. or an index list. An index that is not below `limit` ends
+ * the strip, loop or fan, and the next begins a new one; in lists the primitive that it belongs to
+ * is left out. What remains incomplete is left out. Who takes the primitives decides what becomes
+ * of them: draw/mesh_elements.h draws, a struct of your own that begins with etch_element_sink does
+ * as you like.
  */
 #ifndef ETCH_VERTEX_ELEMENTS_H
 #define ETCH_VERTEX_ELEMENTS_H

@@ -50,7 +50,8 @@ static bool is_ear(const struct etch_vertex *t[3], const struct etch_vertex *con
     return true;
 }
 
-/* Cuts ears off until a triangle is left. A convex polygon becomes the fan round its first corner. */
+/* Cuts ears off until a triangle is left. A convex polygon becomes the fan round its first corner.
+ */
 void etch_fan_emit(const struct etch_assembly *assembly, const struct etch_vertex **ring, uint8_t n)
 {
     const int8_t winding = polygon_winding(ring, n);

@@ -6,8 +6,8 @@
  * a channel, 255 is 1, at most 255. color is the surface's own, D and S the lamp's diffuse and
  * specular colour, M.. the material's. N is the normal, L the unit vector to the lamp, R is L
  * mirrored at N, V the unit vector to the eye. F is 1, or for a lamp with attenuation
- * 1 / (constant + linear d + quadratic d^2) at distance d. Blinn's variant has N . H in the place of
- * R . V, H half way between L and V. All of it is in world space.
+ * 1 / (constant + linear d + quadratic d^2) at distance d. Blinn's variant has N . H in the place
+ * of R . V, H half way between L and V. All of it is in world space.
  *
  *      sum up with                   reads
  *      etch_shade_diffuse            no specular light, no eye

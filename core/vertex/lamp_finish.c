@@ -1,5 +1,5 @@
-/* vertex/lamp_finish.c: sums of light and a material to a colour. Called by the shade functions. See
- * lamp_sum.h. */
+/* vertex/lamp_finish.c: sums of light and a material to a colour. Called by the shade functions.
+ * See lamp_sum.h. */
 #include "lamp_sum.h"
 
 /* Light in 8.12, at most 8 times all of it, by what the surface returns of it, material * color /

@@ -11,9 +11,9 @@ struct etch_normal_matrix {
     int16_t m[3][3]; /* the largest entry's magnitude is 2^13 .. 2^14 */
 };
 
-/* Entries err by less than 1 unit from the exact ones. A matrix that flattens space to a plane gives
- * that plane's normal; one that leaves a line or a point ETCH_EINVAL, *n is then as it was. Once per
- * draw. */
+/* Entries err by less than 1 unit from the exact ones. A matrix that flattens space to a plane
+ * gives that plane's normal; one that leaves a line or a point ETCH_EINVAL, *n is then as it was.
+ * Once per draw. */
 enum etch_status etch_normal_matrix_init(struct etch_normal_matrix *n,
                                          const struct etch_matrix *model);
 

@@ -9,9 +9,9 @@
  *      int32_t [2], [3] ..             int32_t [2], [3] ..        what you like
  *
  * `count` of these int32_t follow the vertex without a gap. Two of them are texture coordinates:
- * struct etch_clip_texture_vertex becomes struct etch_texture_vertex (base/texture.h). A vertex with
- * more is a struct that begins with these. The stage does not know what the numbers mean; the sink
- * gets pointers to the etch_vertex at their head and must expect the same struct.
+ * struct etch_clip_texture_vertex becomes struct etch_texture_vertex (base/texture.h). A vertex
+ * with more is a struct that begins with these. The stage does not know what the numbers mean; the
+ * sink gets pointers to the etch_vertex at their head and must expect the same struct.
  *
  * w is the distance from the eye that perspective needs: the clip w of vertices that are not
  * clipped; where a triangle is clipped, that of all its corners in one common unit, so that the
@@ -36,8 +36,8 @@ struct etch_clip_texture_vertex {
 };
 
 /* Takes one triangle through reject, clip, project and cull (assembly.h) to assembly->sink, with
- * count = 2 .. ETCH_VARYINGS varyings behind each v[i] (other counts take the nearest). `flat` concerns the colour alone. Every input is legal. About 1 KB of
- * stack, and what the sink takes. */
+ * count = 2 .. ETCH_VARYINGS varyings behind each v[i] (other counts take the nearest). `flat`
+ * concerns the colour alone. Every input is legal. About 1 KB of stack, and what the sink takes. */
 void etch_assemble_varying(const struct etch_assembly *assembly,
                            const struct etch_clip_vertex *const v[3], uint8_t count);
 

@@ -1,6 +1,6 @@
-/* ports/atmega1284p: an ATmega1284P at 16 MHz (8-bit core, 16-bit int, 16 KB of RAM) with an ST7735 of
- * 160 x 128. Wiring: SCK PB7, MOSI PB5, CS PB4, D/C PB1, RESET PB0; text on the first serial port.
- * Start-up is avr-libc's. Source: Microchip, ATmega1284P data sheet. */
+/* ports/atmega1284p: an ATmega1284P at 16 MHz (8-bit core, 16-bit int, 16 KB of RAM) with an ST7735
+ * of 160 x 128. Wiring: SCK PB7, MOSI PB5, CS PB4, D/C PB1, RESET PB0; text on the first serial
+ * port. Start-up is avr-libc's. Source: Microchip, ATmega1284P data sheet. */
 #include "../board.h"
 #include "../spi_lcd/panels.h"
 

@@ -1,5 +1,6 @@
-/* ports/esp32/etch_esp32.c: a bus of hal/bus.h on ESP-IDF's spi_master. Called by ports/spi_lcd in the
- * task that draws. See etch_esp32.h. Source: Espressif, ESP-IDF Programming Guide, SPI Master Driver. */
+/* ports/esp32/etch_esp32.c: a bus of hal/bus.h on ESP-IDF's spi_master. Called by ports/spi_lcd in
+ * the task that draws. See etch_esp32.h. Source: Espressif, ESP-IDF Programming Guide, SPI Master
+ * Driver. */
 #include "etch_esp32.h"
 
 #include <string.h>
@@ -22,7 +23,8 @@ static int status_of(esp_err_t error)
     return error == ESP_OK ? 0 : error > 0 ? -error : error;
 }
 
-/* The select line is not the driver's, which would raise it between a command and its parameters. */
+/* The select line is not the driver's, which would raise it between a command and its parameters.
+ */
 static int begin(const struct etch_bus *bus)
 {
     const int status = status_of(spi_device_acquire_bus(bus_of(bus)->device, portMAX_DELAY));

@@ -5,7 +5,8 @@
  *      static struct etch_esp32_bus bus;
  *      static struct etch_lcd lcd;
  *      int status = etch_esp32_bus_open(&bus, (struct etch_esp32_setup){
- *          .host = SPI2_HOST, .limit = 320 * 16 * 2, .hz = 40000000, .select = 5, .data = 16, .reset = 17});
+ *          .host = SPI2_HOST, .limit = 320 * 16 * 2, .hz = 40000000,
+ *          .select = 5, .data = 16, .reset = 17});
  *      status = etch_lcd_open(&lcd, &etch_ili9341, &bus.bus, (struct etch_lcd_setup){.turn = 1});
  *
  * Strips and scratch buffers are to lie in memory that DMA reaches: MALLOC_CAP_DMA, or a static

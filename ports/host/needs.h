@@ -1,6 +1,7 @@
-/* ports/host/needs.h: what functions of etch weigh together: the sum over all that they call and read, each part
- * once, as a linker that drops what nobody names leaves it (--gc-sections). The figures are of Cortex-M0+ at -Os,
- * from a table that is written by `make needs-table` and held against the linker by `make needs`. */
+/* ports/host/needs.h: what functions of etch weigh together: the sum over all that they call and
+ * read, each part once, as a linker that drops what nobody names leaves it (--gc-sections). The
+ * figures are of Cortex-M0+ at -Os, from a table that is written by `make needs-table` and held
+ * against the linker by `make needs`. */
 #ifndef ETCH_HOST_NEEDS_H
 #define ETCH_HOST_NEEDS_H
 

@@ -1,4 +1,5 @@
-/* ports/host/needs_table.h: what the parts of core and hal weigh and link, measured; see needs.h. */
+/* ports/host/needs_table.h: what the parts of core and hal weigh and link, measured; see needs.h.
+ */
 #ifndef ETCH_HOST_NEEDS_TABLE_H
 #define ETCH_HOST_NEEDS_TABLE_H
 

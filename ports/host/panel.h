@@ -112,7 +112,8 @@ uint32_t etch_panel_view(const struct etch_panel *panel, uint8_t turn, int x, in
 /* Forgets the counts. */
 void etch_panel_count(struct etch_panel *panel);
 
-/* ---- between the files of the panel ----------------------------------------------------------- */
+/* ---- between the files of the panel -----------------------------------------------------------
+ */
 
 /* Keeps the first error. */
 void etch_panel_refuse(struct etch_panel *panel, const char *format, ...)

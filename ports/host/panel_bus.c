@@ -16,7 +16,8 @@ static bool strikes(struct etch_panel_bus *b, enum etch_panel_fault fault)
     return --b->fault_at == 0;
 }
 
-/* No call but wait and delay while a transfer runs, none but reset and delay outside begin .. end. */
+/* No call but wait and delay while a transfer runs, none but reset and delay outside begin .. end.
+ */
 static void check(struct etch_panel_bus *b, const char *call, bool taken)
 {
     if (b->left != 0) {

@@ -45,8 +45,8 @@ const struct etch_panel_type *etch_panel_find(const char *name)
     return type->name != NULL ? type : NULL;
 }
 
-/* Of its 80 lines some are on the glass, from `row` on, the lowest first; with bit 4 of A0 the memory
- * is read backwards, and from A2 on in any case. */
+/* Of its 80 lines some are on the glass, from `row` on, the lowest first; with bit 4 of A0 the
+ * memory is read backwards, and from A2 on in any case. */
 static int ssd0323_row(const struct etch_panel *p, int y)
 {
     const int lines = p->type->memory_height;

@@ -8,7 +8,8 @@
 void etch_report_stats(const struct etch_simulation *simulation);
 
 /* --needs: what a program that draws this scene in strips of simulation->rows rows links and
- * holds, and what of that the scene would look the same without; no output is written. False without memory. */
+ * holds, and what of that the scene would look the same without; no output is written. False
+ * without memory. */
 bool etch_report_needs(const struct etch_simulation *simulation);
 
 /* Also --needs: the scene, read once more from `path`, in other modes against the exact one. */

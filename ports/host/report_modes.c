@@ -1,5 +1,5 @@
-/* ports/host/report_modes.c: how far a scene's picture is in each mode from the exact one. report_needs.c calls it
- * for --needs. See report.h. */
+/* ports/host/report_modes.c: how far a scene's picture is in each mode from the exact one.
+ * report_needs.c calls it for --needs. See report.h. */
 #include "report.h"
 
 #include <stdio.h>
@@ -13,8 +13,8 @@ enum of {
     TEXTURES
 };
 
-/* With a name of tests/tradeoff and the tenths of an instruction a pixel that it has there (tests/needs/run compares
- * them). The first is exact in all: the others are compared with it. */
+/* With a name of tests/tradeoff and the tenths of an instruction a pixel that it has there
+ * (tests/needs/run compares them). The first is exact in all: the others are compared with it. */
 static const struct mode {
     const char *name;
     enum of of;

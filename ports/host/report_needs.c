@@ -1,5 +1,5 @@
-/* ports/host/report_needs.c: prints --needs: what a program for one scene links and holds, and what that scene could
- * do without. etch-sim calls it. See report.h. */
+/* ports/host/report_needs.c: prints --needs: what a program for one scene links and holds, and what
+ * that scene could do without. etch-sim calls it. See report.h. */
 #include "report.h"
 
 #include <inttypes.h>

@@ -1,5 +1,5 @@
-/* ports/host/scene_answers.c: select and feedback, which print what the objects before them are made
- * of. scene.c finds them by name; they draw nothing. */
+/* ports/host/scene_answers.c: select and feedback, which print what the objects before them are
+ * made of. scene.c finds them by name; they draw nothing. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -104,7 +104,8 @@ static bool read_select(struct etch_scene_reader *reader,
     return true;
 }
 
-/* ---- feedback --------------------------------------------------------------------------------- */
+/* ---- feedback ---------------------------------------------------------------------------------
+ */
 
 static void print_primitive(const struct etch_feedback_primitive *p)
 {

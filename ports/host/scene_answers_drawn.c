@@ -1,5 +1,5 @@
-/* ports/host/scene_answers_drawn.c: the forms of select and feedback that draw. scene_answers.c reads
- * the statements; scene_draw.c calls the steps. */
+/* ports/host/scene_answers_drawn.c: the forms of select and feedback that draw. scene_answers.c
+ * reads the statements; scene_draw.c calls the steps. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,7 +9,8 @@
 #include "../../core/raster/line.h"
 #include "scene_answers.h"
 
-/* ---- select: the edge of what has a name in a whole frame of names ----------------------------- */
+/* ---- select: the edge of what has a name in a whole frame of names -----------------------------
+ */
 
 struct edge {
     int16_t width, height;
@@ -102,7 +103,8 @@ bool etch_scene_read_selected(struct etch_scene_reader *reader, int16_t x, int16
     return step != NULL;
 }
 
-/* ---- feedback: outlines, and a dot on every vertex --------------------------------------------- */
+/* ---- feedback: outlines, and a dot on every vertex ---------------------------------------------
+ */
 
 struct fed_back {
     uint32_t count;

@@ -1,5 +1,5 @@
-/* ports/host/scene_brush.c: the statements brush, opacity and stipple. scene.c finds them by name; what they
- * read, scene_brushed.c makes into paints. */
+/* ports/host/scene_brush.c: the statements brush, opacity and stipple. scene.c finds them by name;
+ * what they read, scene_brushed.c makes into paints. */
 #include "scene_brush.h"
 
 #include <string.h>
@@ -53,7 +53,8 @@ static bool read_coordinates(struct etch_scene_reader *reader, struct etch_scene
     return true;
 }
 
-/* AT R G B .., to the end of the line; the gradient itself is made once to see whether it can be. */
+/* AT R G B .., to the end of the line; the gradient itself is made once to see whether it can be.
+ */
 static bool read_stops(struct etch_scene_reader *reader, struct etch_scene_brush *brush)
 {
     struct etch_scene_brushed made;
@@ -96,7 +97,8 @@ static bool read_tile(struct etch_scene_reader *reader, struct etch_scene_brush 
     return read_coordinates(reader, brush, names);
 }
 
-/* A brush that what follows is painted with: a copy of the one before, so that shapes keep theirs. */
+/* A brush that what follows is painted with: a copy of the one before, so that shapes keep theirs.
+ */
 static struct etch_scene_brush *next_brush(struct etch_scene_reader *reader)
 {
     struct etch_scene_brush *brush = etch_scene_data(reader, sizeof *brush);

@@ -48,8 +48,8 @@ struct etch_scene_brushed {
     struct etch_cover_stipple_paint cover_stipple;
 };
 
-/* The paint of a shape in the colour rgb, by the brush unless it is NULL. Sets run->kernel; the paint counts if
- * there are stats. */
+/* The paint of a shape in the colour rgb, by the brush unless it is NULL. Sets run->kernel; the
+ * paint counts if there are stats. */
 const struct etch_paint *etch_scene_brush_paint(struct etch_scene_run *run,
                                                 const struct etch_scene_brush *brush,
                                                 const uint8_t rgb[3],
@@ -70,11 +70,12 @@ struct etch_scene_cover_counter {
 struct etch_scene_cover_counter etch_scene_count_covers(struct etch_scene_run *run,
                                                         const struct etch_cover_paint *through);
 
-/* The names of what such paints are made of, for --needs; NULL, with an error set, without memory. */
+/* The names of what such paints are made of, for --needs; NULL, with an error set, without memory.
+ */
 const char *etch_scene_brush_needs(struct etch_scene_reader *reader, bool covers);
 
-/* X Y X Y .. until the colour, in 2^-frac px, at most `most`; their number, 0 with an error set if there are fewer
- * than `least`. */
+/* X Y X Y .. until the colour, in 2^-frac px, at most `most`; their number, 0 with an error set if
+ * there are fewer than `least`. */
 uint16_t etch_scene_read_points(struct etch_scene_reader *reader, struct etch_point_q8 *v,
                                 uint16_t most, uint16_t least);
 

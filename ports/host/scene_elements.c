@@ -1,6 +1,6 @@
-/* ports/host/scene_elements.c: primitives from lists of vertices: list, vertex, index, endlist. scene.c
- * finds them by name. Vertices are transformed by a vertex function of the simulator's own, when the
- * list ends; primitives are assembled when they are drawn (scene_elements_draw.c). */
+/* ports/host/scene_elements.c: primitives from lists of vertices: list, vertex, index, endlist.
+ * scene.c finds them by name. Vertices are transformed by a vertex function of the simulator's own,
+ * when the list ends; primitives are assembled when they are drawn (scene_elements_draw.c). */
 #include "scene_elements.h"
 
 #include "scene_lines.h"

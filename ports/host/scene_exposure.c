@@ -1,5 +1,5 @@
-/* ports/host/scene_exposure.c: passes that draw the frame several times, or look at neighbours. Calls
- * scene_samples.c for each drawing; scene_draw.c calls it for every strip. */
+/* ports/host/scene_exposure.c: passes that draw the frame several times, or look at neighbours.
+ * Calls scene_samples.c for each drawing; scene_draw.c calls it for every strip. */
 #include <stdlib.h>
 
 #include "../../core/frame/accumulation.h"
@@ -75,7 +75,8 @@ static bool draw_exposure(struct etch_scene_frame *frame, struct etch_surface *s
                : draw_moment(frame, surface, swapped, 0);
 }
 
-/* ---- passes over neighbours ---------------------------------------------------------------------- */
+/* ---- passes over neighbours
+ * ---------------------------------------------------------------------- */
 
 /* Room for the source of a strip; the rows kept, at the first. */
 static bool level_open(struct etch_scene_level *level, const struct etch_scene *scene,
@@ -164,7 +165,8 @@ void etch_scene_swap(const struct etch_surface *surface)
     }
 }
 
-/* ---- from and to the scene ------------------------------------------------------------------------ */
+/* ---- from and to the scene
+ * ------------------------------------------------------------------------ */
 
 bool etch_scene_passes_draw(const struct etch_scene *scene, struct etch_surface *surface,
                             struct etch_scene_stats *stats)

@@ -1,5 +1,5 @@
-/* ports/host/scene_facts.c: notes what a scene's triangles are like. scene_draw.c and scene_triangles.c call it
- * while they draw. See scene_facts.h. */
+/* ports/host/scene_facts.c: notes what a scene's triangles are like. scene_draw.c and
+ * scene_triangles.c call it while they draw. See scene_facts.h. */
 #include "scene_facts.h"
 
 #include "scene_staged.h"

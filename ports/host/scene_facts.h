@@ -1,5 +1,6 @@
-/* ports/host/scene_facts.h: what a scene's triangles are like, noted while it is drawn once over the whole frame:
- * what a program for this scene alone could do without. report_needs.c prints it. */
+/* ports/host/scene_facts.h: what a scene's triangles are like, noted while it is drawn once over
+ * the whole frame: what a program for this scene alone could do without. report_needs.c prints it.
+ */
 #ifndef ETCH_HOST_SCENE_FACTS_H
 #define ETCH_HOST_SCENE_FACTS_H
 
@@ -7,8 +8,8 @@
 
 struct etch_scene_facts {
     int16_t width;
-    uint8_t *
-        times; /* of each pixel, how often fills with a depth test had it, up to 255; the caller's, 0 */
+    uint8_t *times; /* of each pixel, how often fills with a depth test had it, up to 255; the
+                       caller's, 0 */
 
     uint64_t triangles; /* handed to the rasteriser */
     uint64_t of_one_color;

@@ -1,5 +1,5 @@
-/* ports/host/scene_fill.c: the statements fill and draw: shapes in whole pixels through runs. scene.c finds
- * them by name, scene_draw.c calls what they append. */
+/* ports/host/scene_fill.c: the statements fill and draw: shapes in whole pixels through runs.
+ * scene.c finds them by name, scene_draw.c calls what they append. */
 #include "../../core/draw/line_stipple.h"
 #include "../../core/raster/arc.h"
 #include "../../core/raster/circle.h"
@@ -33,7 +33,8 @@ struct shape {
     const struct etch_scene_brush *brush;
 };
 
-/* ---- the shapes -------------------------------------------------------------------------------- */
+/* ---- the shapes --------------------------------------------------------------------------------
+ */
 
 static void rect(const struct etch_surface *s, const int32_t at[NUMBERS],
                  const struct etch_paint *paint)
@@ -98,7 +99,8 @@ SHAPE(pie, etch_arc_runs(s, AT(0), AT(1), AT(2), -1, (uint16_t)at[3], (uint32_t)
 SHAPE(pie_outline,
       etch_arc_outline_runs(s, AT(0), AT(1), AT(2), -1, (uint16_t)at[3], (uint32_t)at[4], paint))
 
-/* ---- drawing ----------------------------------------------------------------------------------- */
+/* ---- drawing -----------------------------------------------------------------------------------
+ */
 
 static void draw_shape(struct etch_scene_run *run, const struct etch_scene_step *step)
 {
@@ -155,7 +157,8 @@ static const struct kind outlines[] = {
     {NULL, NULL, {NULL}, NEEDS(NULL, "")},
 };
 
-/* ---- reading ----------------------------------------------------------------------------------- */
+/* ---- reading -----------------------------------------------------------------------------------
+ */
 
 static const struct kind *read_kind(struct etch_scene_reader *reader, const struct kind *kinds)
 {

@@ -1,5 +1,5 @@
-/* ports/host/scene_image.c: the image statement: pictures to the formats of core/draw/image.h. scene.c
- * finds it by name. */
+/* ports/host/scene_image.c: the image statement: pictures to the formats of core/draw/image.h.
+ * scene.c finds it by name. */
 #include "scene_image.h"
 
 #include <string.h>

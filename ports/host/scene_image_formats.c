@@ -1,4 +1,5 @@
-/* ports/host/scene_image_formats.c: the formats of the image statement. scene_image.c looks there. */
+/* ports/host/scene_image_formats.c: the formats of the image statement. scene_image.c looks there.
+ */
 #include "../../core/fragment/sampler.h"
 #include "scene_image.h"
 

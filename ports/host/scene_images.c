@@ -1,6 +1,5 @@
-/* ports/host/scene_images.c: the statements that draw images: blit, stretch, nine, spin, cursor, xorrect,
- * copyrect, scroll.
- * scene.c finds them by name, scene_draw.c calls what they append. */
+/* ports/host/scene_images.c: the statements that draw images: blit, stretch, nine, spin, cursor,
+ * xorrect, copyrect, scroll. scene.c finds them by name, scene_draw.c calls what they append. */
 #include <string.h>
 
 #include "scene_image.h"

@@ -1,7 +1,8 @@
 /* ports/host/scene_large.c: draws a scene n times as large and averages. scene_samples.c calls it.
  * Triangles are drawn on the large surface with their positions times n. Other steps name whole
- * pixels: they are drawn in place, on two surfaces whose colours differ everywhere; where these agree
- * afterwards the step has written, and n x n samples get its value. What blends is lost so. */
+ * pixels: they are drawn in place, on two surfaces whose colours differ everywhere; where these
+ * agree afterwards the step has written, and n x n samples get its value. What blends is lost so.
+ */
 #include <stdlib.h>
 #include <string.h>
 

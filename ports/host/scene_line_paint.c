@@ -1,5 +1,5 @@
-/* ports/host/scene_line_paint.c: draws lines and points with the state: by a fused kernel if there is
- * one, else by stages. The statements of lines, lists and wireframes call it. */
+/* ports/host/scene_line_paint.c: draws lines and points with the state: by a fused kernel if there
+ * is one, else by stages. The statements of lines, lists and wireframes call it. */
 #include "../../core/draw/line_staged.h"
 #include "../../core/fragment/flat.h"
 #include "scene_lines.h"

@@ -1,4 +1,5 @@
-/* ports/host/scene_mesh.h: a mesh of a scene, between its reading and drawing; no part of the API. */
+/* ports/host/scene_mesh.h: a mesh of a scene, between its reading and drawing; no part of the API.
+ */
 #ifndef ETCH_HOST_SCENE_MESH_H
 #define ETCH_HOST_SCENE_MESH_H
 
@@ -35,8 +36,8 @@ struct etch_scene_mesh {
 /* Everything that does not depend on the strip: matrices, light, the vertices themselves. */
 bool etch_scene_mesh_prepare(struct etch_scene_reader *reader, struct etch_scene_mesh *mesh);
 
-/* Whether its light takes lamps and normals: without a light all that counts is the ambient one, and a
- * model may be flat, as a shadow is. */
+/* Whether its light takes lamps and normals: without a light all that counts is the ambient one,
+ * and a model may be flat, as a shadow is. */
 bool etch_scene_mesh_has_lamps(const struct etch_scene_view *view);
 
 /* Hands the mesh's triangles to a sink. */

@@ -1,5 +1,5 @@
-/* ports/host/scene_mesh_stage.c: a mesh's matrices, lights and vertices. scene_mesh.c calls it once a
- * mesh, and to hand the triangles on. */
+/* ports/host/scene_mesh_stage.c: a mesh's matrices, lights and vertices. scene_mesh.c calls it once
+ * a mesh, and to hand the triangles on. */
 #include <stdlib.h>
 
 #include "scene_mesh.h"

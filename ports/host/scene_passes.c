@@ -129,7 +129,8 @@ static bool read_motion_blur(struct etch_scene_reader *reader,
            etch_scene_append(reader, &needs_moments) != NULL;
 }
 
-/* ---- filter ------------------------------------------------------------------------------------- */
+/* ---- filter -------------------------------------------------------------------------------------
+ */
 
 /* W W W W W W W W W DIVISOR BIAS */
 static bool read_kernel(struct etch_scene_reader *reader, struct etch_filter_weights *weights)
@@ -179,7 +180,8 @@ static bool read_filter(struct etch_scene_reader *reader,
     return etch_scene_append(reader, &needs_filter[passes->filter]) != NULL;
 }
 
-/* ---- motion ------------------------------------------------------------------------------------- */
+/* ---- motion -------------------------------------------------------------------------------------
+ */
 
 struct motion {
     etch_q16 x, y;
@@ -211,7 +213,8 @@ static bool read_motion(struct etch_scene_reader *reader,
            etch_text_q16(&reader->text, "y", &motion->y);
 }
 
-/* ---- exchange ----------------------------------------------------------------------------------- */
+/* ---- exchange -----------------------------------------------------------------------------------
+ */
 
 struct exchange {
     int16_t x, y, width, height, other;

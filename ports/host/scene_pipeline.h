@@ -60,8 +60,9 @@ const struct etch_scene_pipeline *etch_scene_pipeline_find(const struct etch_sce
 /* Whether the state asks for what only stages do. */
 bool etch_scene_pipeline_needs_stages(const struct etch_scene_state *state);
 
-/* Whether the state asks for exact values, dithering or inverse depth, and the row for that, NULL if there is none:
- * they have no textures, no stages, and of the depth tests off, less and lequal that write. */
+/* Whether the state asks for exact values, dithering or inverse depth, and the row for that, NULL
+ * if there is none: they have no textures, no stages, and of the depth tests off, less and lequal
+ * that write. */
 bool etch_scene_mode_is_special(const struct etch_scene_state *state);
 const struct etch_scene_pipeline *
 etch_scene_pipeline_find_mode(const struct etch_scene_state *state);

@@ -1,5 +1,5 @@
-/* ports/host/scene_pipeline_mode.c: painters and kernels of the exact mode, ordered dithering and inverse depth.
- * scene_staged.c asks before it looks at the table of the precise ones. */
+/* ports/host/scene_pipeline_mode.c: painters and kernels of the exact mode, ordered dithering and
+ * inverse depth. scene_staged.c asks before it looks at the table of the precise ones. */
 #include "scene_pipeline.h"
 
 #include "../../core/draw/dither.h"

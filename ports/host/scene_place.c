@@ -1,5 +1,5 @@
-/* ports/host/scene_place.c: where the triangles of one of several drawings go. What paints triangles
- * calls it if the run has a pass. */
+/* ports/host/scene_place.c: where the triangles of one of several drawings go. What paints
+ * triangles calls it if the run has a pass. */
 #include "scene_passes.h"
 #include "scene_staged.h"
 

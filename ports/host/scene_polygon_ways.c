@@ -1,5 +1,5 @@
-/* ports/host/scene_polygon_ways.c: polygons filled in other ways than by scan lines: by edge inversion
- * and as triangles. scene_polygons.c reads them, scene_draw.c draws. */
+/* ports/host/scene_polygon_ways.c: polygons filled in other ways than by scan lines: by edge
+ * inversion and as triangles. scene_polygons.c reads them, scene_draw.c draws. */
 #include "../../core/draw/shapes.h"
 #include "../../core/raster/edge_flags.h"
 #include "../../core/raster/triangulate.h"

@@ -1,5 +1,5 @@
-/* ports/host/scene_polygons.c: the statements polygon and fillpolygon, and what scene_paths.c shares
- * with them. scene.c finds them by name, scene_draw.c calls what they append. */
+/* ports/host/scene_polygons.c: the statements polygon and fillpolygon, and what scene_paths.c
+ * shares with them. scene.c finds them by name, scene_draw.c calls what they append. */
 #include "scene_polygons.h"
 
 /* How many words are left on the line. */

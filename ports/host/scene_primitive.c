@@ -1,5 +1,6 @@
 /* ports/host/scene_primitive.c: the statement primitive, and the functions between assembly and
- * clipping that it names. scene_elements.c has it in its table; meshes and lists install what it chose. */
+ * clipping that it names. scene_elements.c has it in its table; meshes and lists install what it
+ * chose. */
 #include "scene_primitive.h"
 
 /* c + (v - c) percent / 100, c the centre of the three: linear, so it may be done in clip space. */

@@ -1,5 +1,5 @@
-/* ports/host/scene_sampler.c: samplers for a scene's triangles. What reads triangles takes one, what
- * draws them asks for the level of each. */
+/* ports/host/scene_sampler.c: samplers for a scene's triangles. What reads triangles takes one,
+ * what draws them asks for the level of each. */
 #include <stdlib.h>
 
 #include "scene_steps.h"
@@ -21,8 +21,8 @@ static etch_texel_wrap *wrap_of(uint8_t word, uint16_t size)
     return wraps[word][is_power(size)];
 }
 
-/* The filters in the order of the state's words; [1] fused, for opaque RGB565 that repeats in powers
- * of two. */
+/* The filters in the order of the state's words; [1] fused, for opaque RGB565 that repeats in
+ * powers of two. */
 static etch_texel_filter *filter_of(uint8_t word, const struct etch_sampler *s)
 {
     static etch_texel_filter *const filters[][2] = {
@@ -94,7 +94,8 @@ void etch_scene_sample_triangle(const struct etch_scene_sampling *sampling,
     choose(sampler, sampling);
 }
 
-/* ---- names ------------------------------------------------------------------------------------ */
+/* ---- names ------------------------------------------------------------------------------------
+ */
 
 typedef void function(void); /* any, as an address */
 

@@ -1,6 +1,6 @@
-/* ports/host/scene_samples.c: draws the steps of a scene, with four samples a pixel or one. The passes
- * of scene_exposure.c call it for each drawing. Triangles and meshes are placed by sample; other
- * steps name whole pixels, so they are drawn as they are and fill all samples of a pixel. */
+/* ports/host/scene_samples.c: draws the steps of a scene, with four samples a pixel or one. The
+ * passes of scene_exposure.c call it for each drawing. Triangles and meshes are placed by sample;
+ * other steps name whole pixels, so they are drawn as they are and fill all samples of a pixel. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -91,7 +91,8 @@ bool etch_scene_open_runs(const struct etch_scene_frame *frame, struct etch_surf
     return ok;
 }
 
-/* ---- msaa ---------------------------------------------------------------------------------------- */
+/* ---- msaa
+ * ---------------------------------------------------------------------------------------- */
 
 static void multisample_step(struct etch_scene_run run[ETCH_SAMPLES],
                              const struct etch_scene_step *step, struct etch_multisample *m,

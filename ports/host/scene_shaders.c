@@ -1,6 +1,6 @@
-/* ports/host/scene_shaders.c: the statement shadertri: triangles by pixel work of the simulator's own,
- * written as an application would write it: a shader in a kernel, a stage, a function of the weights.
- * scene.c finds it by name, scene_draw.c calls what it appends. */
+/* ports/host/scene_shaders.c: the statement shadertri: triangles by pixel work of the simulator's
+ * own, written as an application would write it: a shader in a kernel, a stage, a function of the
+ * weights. scene.c finds it by name, scene_draw.c calls what it appends. */
 #include "../../core/draw/staged.h"
 #include "../../core/draw/triangle.h"
 #include "../../core/fragment/gouraud_shader.h"
@@ -14,7 +14,8 @@ static void count_triangle(const struct etch_scene_run *run)
     }
 }
 
-/* ---- kernel: interpolated colours, half as bright in every second square of 4 x 4 pixels --------- */
+/* ---- kernel: interpolated colours, half as bright in every second square of 4 x 4 pixels
+ * --------- */
 
 /* v[3] counts x, which a fragment does not. */
 static inline void weave_start(struct etch_fragment *f, const struct etch_paint *paint)
@@ -60,7 +61,8 @@ static void draw_kernel(struct etch_scene_run *run, const struct etch_scene_step
     etch_triangle_gouraud(&run->surface, v, run->stats != NULL ? etch_scene_count : run->kernel);
 }
 
-/* ---- stage: four levels of each channel ---------------------------------------------------------- */
+/* ---- stage: four levels of each channel
+ * ---------------------------------------------------------- */
 
 static void posterize(struct etch_chunk *c, const void *data)
 {
@@ -93,7 +95,8 @@ static void draw_stage(struct etch_scene_run *run, const struct etch_scene_step 
     etch_triangle_staged(&run->surface, v, &pipeline, &planes);
 }
 
-/* ---- weights: colours mixed, in bands by the distance from the nearest side ---------------------- */
+/* ---- weights: colours mixed, in bands by the distance from the nearest side
+ * ---------------------- */
 
 struct mixing {
     const struct etch_scene_run *run;
@@ -133,7 +136,8 @@ static void draw_weights(struct etch_scene_run *run, const struct etch_scene_ste
     etch_triangle_barycentric(&run->surface, v, mix, &mixing);
 }
 
-/* ---- the statement ------------------------------------------------------------------------------- */
+/* ---- the statement
+ * ------------------------------------------------------------------------------- */
 
 /* kernel|stage|weights V V V */
 static bool read_shadertri(struct etch_scene_reader *reader,

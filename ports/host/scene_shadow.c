@@ -25,9 +25,10 @@ static bool divide(etch_q16 *out, int64_t numerator, int64_t divisor)
     return value >= INT32_MIN && value <= INT32_MAX;
 }
 
-/* With the lamp L (x, y, z, 1, or 0 if it is far away) and the plane P (a x + b y + c z + d = 0), the
- * point where the ray from L through a vertex V meets the plane is (P . L) V - (P . V) L. Divided by
- * P . L, so that w stays 1 on the plane. Source: J. Blinn, "Me and my (fake) shadow", 1988. */
+/* With the lamp L (x, y, z, 1, or 0 if it is far away) and the plane P (a x + b y + c z + d = 0),
+ * the point where the ray from L through a vertex V meets the plane is (P . L) V - (P . V) L.
+ * Divided by P . L, so that w stays 1 on the plane. Source: J. Blinn, "Me and my (fake) shadow",
+ * 1988. */
 static bool project(struct etch_matrix *m, const etch_q16 lamp[4], const etch_q16 plane[4])
 {
     int64_t dot = 0;

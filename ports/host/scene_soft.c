@@ -1,5 +1,5 @@
-/* ports/host/scene_soft.c: the statement soft: smooth shapes without memory for edges. scene.c finds it by name,
- * scene_draw.c calls what it appends. */
+/* ports/host/scene_soft.c: the statement soft: smooth shapes without memory for edges. scene.c
+ * finds it by name, scene_draw.c calls what it appends. */
 #include "../../core/raster/smooth_shapes.h"
 #include "scene_brush.h"
 
@@ -30,7 +30,8 @@ struct shape {
     struct etch_smooth_edge *edge;
 };
 
-/* ---- the shapes -------------------------------------------------------------------------------- */
+/* ---- the shapes --------------------------------------------------------------------------------
+ */
 
 #define SHAPE(name, call)                                                                          \
     static void name(const struct shape *p, const struct etch_surface *s,                          \
@@ -64,7 +65,8 @@ static void polygon(const struct shape *p, const struct etch_surface *s,
     (void)etch_smooth_polygon(s, p->v, p->count, p->edge, p->count, paint, p->cover);
 }
 
-/* ---- drawing ----------------------------------------------------------------------------------- */
+/* ---- drawing -----------------------------------------------------------------------------------
+ */
 
 static void draw_shape(struct etch_scene_run *run, const struct etch_scene_step *step)
 {
@@ -94,7 +96,8 @@ static const struct kind kinds[] = {
     {"polygon", polygon, {NULL}, NEEDS("etch_smooth_polygon")},
 };
 
-/* ---- reading ----------------------------------------------------------------------------------- */
+/* ---- reading -----------------------------------------------------------------------------------
+ */
 
 static const struct kind *read_kind(struct etch_scene_reader *reader)
 {

@@ -139,7 +139,8 @@ static const struct etch_scene_pipeline *find_usual(struct etch_scene_reader *re
     return pipeline != NULL ? pipeline : take_staged(reader, differs);
 }
 
-/* Puts the modes that are asked for in place of the scene's, where the state can be drawn in them. */
+/* Puts the modes that are asked for in place of the scene's, where the state can be drawn in them.
+ */
 static void take_modes(struct etch_scene_reader *reader, struct etch_scene_differs differs)
 {
     const struct etch_scene_modes *modes = reader->scene->modes;

@@ -1,5 +1,5 @@
-/* ports/host/scene_stages.h: lists of stages as they grow, for the files that know a part of them; no
- * part of the API. */
+/* ports/host/scene_stages.h: lists of stages as they grow, for the files that know a part of them;
+ * no part of the API. */
 #ifndef ETCH_HOST_SCENE_STAGES_H
 #define ETCH_HOST_SCENE_STAGES_H
 

@@ -1,4 +1,5 @@
-/* ports/host/scene_stages_test.c: the stages of stencil and depth tests. scene_stages.c places them. */
+/* ports/host/scene_stages_test.c: the stages of stencil and depth tests. scene_stages.c places
+ * them. */
 #include "scene_stages.h"
 
 static void add_stencil(struct etch_scene_builder *b)

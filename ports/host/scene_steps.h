@@ -197,8 +197,8 @@ struct etch_scene_step *etch_scene_append(struct etch_scene_reader *reader,
 /* `size` bytes of zeros that live as long as the scene; NULL, with an error set, without memory. */
 void *etch_scene_data(struct etch_scene_reader *reader, size_t size);
 
-/* Covers of a row for smooth shapes: as wide as the frame, and a column more for samples that pixels share,
- * and the one that the shapes ask for. */
+/* Covers of a row for smooth shapes: as wide as the frame, and a column more for samples that
+ * pixels share, and the one that the shapes ask for. */
 int16_t *etch_scene_covers(struct etch_scene_reader *reader);
 
 /* R G B, 0 .. 255 each. */

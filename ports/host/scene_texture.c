@@ -1,5 +1,5 @@
-/* ports/host/scene_texture.c: the texture statement, and the life of what it reads. scene.c finds it
- * by name. */
+/* ports/host/scene_texture.c: the texture statement, and the life of what it reads. scene.c finds
+ * it by name. */
 #include <stdlib.h>
 #include <string.h>
 

@@ -46,8 +46,8 @@ void etch_scene_sample_triangle(const struct etch_scene_sampling *sampling,
 #define ETCH_SCENE_SAMPLING_PARTS 6
 const char *etch_scene_sampling_name(const struct etch_scene_sampling *sampling, int part);
 
-/* True if the fused kernels of fragment/texture.h can draw the latest texture, repeated and nearest,
- * as far as colours go: not a palette, and of a size that they take. */
+/* True if the fused kernels of fragment/texture.h can draw the latest texture, repeated and
+ * nearest, as far as colours go: not a palette, and of a size that they take. */
 bool etch_scene_texture_is_plain(const struct etch_scene_reader *reader);
 
 /* Reads what follows `texture` into an empty one. */

@@ -1,5 +1,5 @@
-/* ports/host/scene_toolkit.c: the statements smooth and solid: round shapes, polygons and thick lines.
- * scene.c finds them by name, scene_draw.c calls what they append. */
+/* ports/host/scene_toolkit.c: the statements smooth and solid: round shapes, polygons and thick
+ * lines. scene.c finds them by name, scene_draw.c calls what they append. */
 #include "../../core/raster/stroke.h"
 #include "scene_brush.h"
 
@@ -58,7 +58,8 @@ uint16_t etch_scene_read_points(struct etch_scene_reader *reader, struct etch_po
     return n;
 }
 
-/* ---- shapes: each reads its numbers and gives its edges ---------------------------------------- */
+/* ---- shapes: each reads its numbers and gives its edges ----------------------------------------
+ */
 
 static bool read_polygon(const struct shape *s)
 {
@@ -165,7 +166,8 @@ static bool read_dashes(const struct shape *s)
     return n != 0;
 }
 
-/* ---- drawing ----------------------------------------------------------------------------------- */
+/* ---- drawing -----------------------------------------------------------------------------------
+ */
 
 static void draw_smooth(struct etch_scene_run *run, const struct etch_scene_step *step)
 {
@@ -190,7 +192,8 @@ static void draw_solid(struct etch_scene_run *run, const struct etch_scene_step 
                               etch_scene_brush_paint(run, t->brush, t->rgb, &memory));
 }
 
-/* ---- statements -------------------------------------------------------------------------------- */
+/* ---- statements --------------------------------------------------------------------------------
+ */
 
 static const char *const names[] = {"polygon", "ellipse", "arc", "roundrect",
                                     "stroke",  "dashes",  NULL};

@@ -141,8 +141,8 @@ static bool read_matrix(struct etch_scene_reader *reader, struct etch_matrix *m)
     return true;
 }
 
-/* identity | translate .. | rotate .. | scale .. | matrix .. | shadow ..: applied after those before
- * it */
+/* identity | translate .. | rotate .. | scale .. | matrix .. | shadow ..: applied after those
+ * before it */
 static bool read_model(struct etch_scene_reader *reader,
                        const struct etch_scene_statement *statement)
 {

@@ -59,7 +59,8 @@ void etch_screen_close(struct etch_screen *screen);
 /* The names, with blanks between, from malloc; NULL without memory. */
 char *etch_screen_names(void);
 
-/* ---- between screen.c and screen_panel.c ------------------------------------------------------- */
+/* ---- between screen.c and screen_panel.c -------------------------------------------------------
+ */
 
 bool etch_screen_open_panel(struct etch_screen *screen, const struct etch_panel_type *type,
                             const struct etch_display *frame,

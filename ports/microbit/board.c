@@ -1,6 +1,6 @@
-/* ports/microbit: BBC micro:bit, first version (nRF51822, Cortex-M0, 16 KB of RAM) with an ILI9341 on
- * its edge connector. Wiring: SCK 13, MOSI 15, CS 1, D/C 2, RESET 0.
- * Source: Nordic, nRF51 Series Reference Manual 3.0. */
+/* ports/microbit: BBC micro:bit, first version (nRF51822, Cortex-M0, 16 KB of RAM) with an ILI9341
+ * on its edge connector. Wiring: SCK 13, MOSI 15, CS 1, D/C 2, RESET 0. Source: Nordic, nRF51
+ * Series Reference Manual 3.0. */
 #include "../board.h"
 #include "../spi_lcd/panels.h"
 

@@ -164,8 +164,9 @@ int etch_lcd_turn(struct etch_lcd *lcd, uint8_t turn);
 
 /* The display's settings, between two frames; in lcd_set.c. 0, the bus's error, or ETCH_EINVAL:
  * the controller cannot. Sleep stops the panel's supply; it takes 120 ms, and so does waking, as
- * data sheets ask between the two. The memory keeps the picture. Brightness 0 .. 255 is the contrast current of an OLED, in as many
- * steps as it has; of an LCD it is a pin that drives the backlight, if the module connects it. */
+ * data sheets ask between the two. The memory keeps the picture. Brightness 0 .. 255 is the
+ * contrast current of an OLED, in as many steps as it has; of an LCD it is a pin that drives the
+ * backlight, if the module connects it. */
 int etch_lcd_show(struct etch_lcd *lcd, bool on);
 int etch_lcd_sleep(struct etch_lcd *lcd, bool asleep);
 int etch_lcd_invert(struct etch_lcd *lcd, bool inverted);

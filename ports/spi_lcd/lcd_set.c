@@ -17,8 +17,8 @@ static int set(struct etch_lcd *lcd, uint8_t command, const uint8_t *parameter)
     return status;
 }
 
-/* OLED controllers have one command for "awake" and "on", and one for their opposites: it is sent if
- * both are wanted, and neither call undoes the other. */
+/* OLED controllers have one command for "awake" and "on", and one for their opposites: it is sent
+ * if both are wanted, and neither call undoes the other. */
 static bool is_one(const struct etch_lcd_controller *c)
 {
     return c->wake == c->on;

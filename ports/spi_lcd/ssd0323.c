@@ -1,6 +1,7 @@
 /* ports/spi_lcd/ssd0323.c: SSD0323, OLED of 128 x 64 with 16 grey levels. Tables for lcd.c.
- * Values as TI's driver for the EK-LM3S6965 and u8g2 set them. A byte is two pixels of a row; addresses always
- * name the memory, and flipping the columns exchanges the pixels of a byte, too. */
+ * Values as TI's driver for the EK-LM3S6965 and u8g2 set them. A byte is two pixels of a row;
+ * addresses always name the memory, and flipping the columns exchanges the pixels of a byte, too.
+ */
 #include "panels.h"
 
 /* clang-format off */

@@ -1,6 +1,6 @@
-/* ports/spi_lcd/ssd1306.c: SSD1306, black-and-white OLED of 128 columns. Tables for lcd.c. Values as
- * Adafruit's driver and A. Dynda's both set them. A byte is 8 rows of a column; addresses always name the
- * memory. */
+/* ports/spi_lcd/ssd1306.c: SSD1306, black-and-white OLED of 128 columns. Tables for lcd.c. Values
+ * as Adafruit's driver and A. Dynda's both set them. A byte is 8 rows of a column; addresses always
+ * name the memory. */
 #include "panels.h"
 
 /* clang-format off */

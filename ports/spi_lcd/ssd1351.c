@@ -1,6 +1,6 @@
 /* ports/spi_lcd/ssd1351.c: SSD1351, colour OLED of 128 x 128. Tables for lcd.c. Values as
- * TFT_eSPI and Adafruit's driver both set them, bits of A0 included. Addresses always name the memory; a turned frame is written with
- * the rows counted first. */
+ * TFT_eSPI and Adafruit's driver both set them, bits of A0 included. Addresses always name the
+ * memory; a turned frame is written with the rows counted first. */
 #include "panels.h"
 
 /* clang-format off */

@@ -1,6 +1,6 @@
 /* ports/spi_lcd/st7789.c: ST7789, whose memory of 240 x 320 serves glasses of several sizes.
- * Tables for lcd.c. Values as TFT_eSPI sets them, most of them the reset values, on which Adafruit's
- * driver relies; C0 is the reset value, so that command 36 means what it means there. */
+ * Tables for lcd.c. Values as TFT_eSPI sets them, most of them the reset values, on which
+ * Adafruit's driver relies; C0 is the reset value, so that command 36 means what it means there. */
 #include "panels.h"
 
 /* clang-format off */

@@ -1,5 +1,6 @@
-/* ports/spi_lcd/st7796.c: ST7796S, 320 x 480, which takes RGB565 on SPI. Tables for lcd.c. Values as
- * TFT_eSPI and a Linux driver for MIPI DBI panels both set them; power and gamma vary by module. */
+/* ports/spi_lcd/st7796.c: ST7796S, 320 x 480, which takes RGB565 on SPI. Tables for lcd.c. Values
+ * as TFT_eSPI and a Linux driver for MIPI DBI panels both set them; power and gamma vary by module.
+ */
 #include "panels.h"
 
 /* clang-format off */

@@ -1,6 +1,6 @@
-/* ports/stm32f429i_disc1: ST's 32F429IDISCOVERY. Its ILI9341 is driven twice: SPI5 sets it up once, then
- * the LTDC sends it RGB565 from internal RAM, 60 times a second. 192 KB hold a frame of 150 KB, so
- * that the external memory stays free. Only built: no emulator here has these peripherals.
+/* ports/stm32f429i_disc1: ST's 32F429IDISCOVERY. Its ILI9341 is driven twice: SPI5 sets it up once,
+ * then the LTDC sends it RGB565 from internal RAM, 60 times a second. 192 KB hold a frame of 150
+ * KB, so that the external memory stays free. Only built: no emulator here has these peripherals.
  * Source: ST, reference manual RM0090, user manual UM1670; Ilitek, ILI9341 data sheet. */
 #include "../board.h"
 #include "../cortex_m/systick.h"
@@ -17,7 +17,8 @@ enum {
 /* One frame. The LTDC reads it all the time. */
 static uint16_t memory[WIDTH * HEIGHT] __attribute__((aligned(64)));
 
-/* ---- clocks ------------------------------------------------------------------------------------ */
+/* ---- clocks ------------------------------------------------------------------------------------
+ */
 
 static bool waited(volatile uint32_t *at, uint32_t mask, uint32_t value)
 {
@@ -45,7 +46,8 @@ static bool start_clocks(void)
     return waited(&RCC_CFGR, 3 << 2, 2 << 2);
 }
 
-/* ---- pins -------------------------------------------------------------------------------------- */
+/* ---- pins --------------------------------------------------------------------------------------
+ */
 
 enum port {
     A,
@@ -95,7 +97,8 @@ static void start_pins(void)
     make_output(D, 13); /* D/C */
 }
 
-/* ---- the panel, once, by SPI5 ------------------------------------------------------------------ */
+/* ---- the panel, once, by SPI5 ------------------------------------------------------------------
+ */
 
 static void send(uint8_t byte)
 {
@@ -150,10 +153,11 @@ static void start_panel(void)
     command(0x29, NULL, 0); /* display on */
 }
 
-/* ---- the LTDC ---------------------------------------------------------------------------------- */
+/* ---- the LTDC ----------------------------------------------------------------------------------
+ */
 
-/* Clocks of a line: 10 of sync, 20 behind it, 240 of pixels, 10 before the next; rows: 2, 2, 320, 4.
- * The registers take sums less one. 280 * 328 clocks of 6 MHz are 65 frames a second. */
+/* Clocks of a line: 10 of sync, 20 behind it, 240 of pixels, 10 before the next; rows: 2, 2,
+ * 320, 4. The registers take sums less one. 280 * 328 clocks of 6 MHz are 65 frames a second. */
 static void start_ltdc(void)
 {
     enum {

@@ -1,6 +1,6 @@
-/* ports/stm32vldiscovery: ST's STM32VLDISCOVERY (STM32F100RB, Cortex-M3, 8 KB of RAM) on its internal
- * 8 MHz clock with an ILI9341 on SPI1. Wiring: SCK PA5, MOSI PA7, CS PB0, D/C PB1, RESET PB5.
- * Source: ST, reference manual RM0041. */
+/* ports/stm32vldiscovery: ST's STM32VLDISCOVERY (STM32F100RB, Cortex-M3, 8 KB of RAM) on its
+ * internal 8 MHz clock with an ILI9341 on SPI1. Wiring: SCK PA5, MOSI PA7, CS PB0, D/C PB1, RESET
+ * PB5. Source: ST, reference manual RM0041. */
 #include "../board.h"
 #include "../cortex_m/systick.h"
 #include "../spi_lcd/panels.h"

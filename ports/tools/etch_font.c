@@ -2,8 +2,9 @@
  *
  *      etch-font [-c SET] [-n NAME] [-i HEADER] [-m COMMENT] FILE.bdf >FILE.c
  *
- * SET lists code points, "32-126,0xA0-0xFF" (the default is ASCII). NAME is the C name, HEADER how the
- * file includes base/font.h, COMMENT its first line: say where the font is from and its licence. */
+ * SET lists code points, "32-126,0xA0-0xFF" (the default is ASCII). NAME is the C name, HEADER how
+ * the file includes base/font.h, COMMENT its first line: say where the font is from and its
+ * licence. */
 #include <stdlib.h>
 #include <string.h>
 

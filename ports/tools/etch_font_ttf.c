@@ -3,8 +3,8 @@
  *
  *      etch-font-ttf [-s PIXELS] [-b BITS] [-c SET] [-n NAME] [-i HEADER] [-m COMMENT] FILE >FILE.c
  *
- * PIXELS is the size of the em (16), BITS 1, 2 or 4 a pixel (4); the rest as etch-font. Needs FreeType:
- * `make etch-font-ttf` builds it. */
+ * PIXELS is the size of the em (16), BITS 1, 2 or 4 a pixel (4); the rest as etch-font. Needs
+ * FreeType: `make etch-font-ttf` builds it. */
 #include <ft2build.h>
 #include <stdlib.h>
 #include <string.h>

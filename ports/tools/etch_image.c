@@ -17,7 +17,8 @@
  *  -t          names the functions for samplers too (fragment/sampler.h)
  *  -n NAME     of the struct (image);  -i PATH  of core in #include (core);  -m COMMENT
  *
- * Sizes and errors go to stderr when C is written. A wrong argument or file: status 2, no output. */
+ * Sizes and errors go to stderr when C is written. A wrong argument or file: status 2, no output.
+ */
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
-/* ports/tools/font_source.h: a font on its way to C. etch_font.c (BDF) and etch_font_ttf.c (FreeType)
- * fill it in, font_source.c trims, packs and writes it. */
+/* ports/tools/font_source.h: a font on its way to C. etch_font.c (BDF) and etch_font_ttf.c
+ * (FreeType) fill it in, font_source.c trims, packs and writes it. */
 #ifndef ETCH_TOOLS_FONT_SOURCE_H
 #define ETCH_TOOLS_FONT_SOURCE_H
 
@@ -38,7 +38,8 @@ struct font_glyph *font_add(struct font_source *f, uint32_t code, int width, int
 /* Sorts by code point and takes empty rows and columns away. */
 void font_finish(struct font_source *f);
 
-/* The C file of `struct etch_font NAME`. `header`: how it includes base/font.h; `from`: a comment. */
+/* The C file of `struct etch_font NAME`. `header`: how it includes base/font.h; `from`: a comment.
+ */
 void font_write(FILE *out, const struct font_source *f, const char *name, const char *header,
                 const char *from);
 

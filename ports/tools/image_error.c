@@ -1,4 +1,5 @@
-/* ports/tools/image_error.c: sizes and errors of formats. Called by etch-image. See image_format.h. */
+/* ports/tools/image_error.c: sizes and errors of formats. Called by etch-image. See image_format.h.
+ */
 #include <math.h>
 #include <stdlib.h>
 

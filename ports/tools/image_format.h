@@ -52,8 +52,8 @@ void image_pack(struct packed *out, const struct picture *p, const struct image_
 /* Packs a plane by runs, as draw/image_rle.h says. */
 void image_compress(struct plane *plane, int height, int rows_shift);
 
-/* Up to `most` colours that stand for `count` pixels of RGB: by median cut, then moved to the means of
- * the pixels that are nearest to them. Returns how many. */
+/* Up to `most` colours that stand for `count` pixels of RGB: by median cut, then moved to the means
+ * of the pixels that are nearest to them. Returns how many. */
 int image_palette(uint8_t (*palette)[3], int most, const uint8_t (*pixel)[3], size_t count);
 
 /* The number of the palette's colour nearest to `rgb`. */

@@ -1,4 +1,5 @@
-/* ports/tools/image_pack.c: brings pictures to a format. Called by etch-image. See image_format.h. */
+/* ports/tools/image_pack.c: brings pictures to a format. Called by etch-image. See image_format.h.
+ */
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
-/* ports/tools/image_palette.c: palettes by median cut (P. Heckbert, "Color image quantization for frame
- * buffer display", 1982). Called by image_pack.c. See image_format.h. */
+/* ports/tools/image_palette.c: palettes by median cut (P. Heckbert, "Color image quantization for
+ * frame buffer display", 1982). Called by image_pack.c. See image_format.h. */
 #include <stdlib.h>
 #include <string.h>
 

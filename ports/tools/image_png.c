@@ -1,4 +1,5 @@
-/* ports/tools/image_png.c: reads PNG by libpng's simplified API for etch-image. See image_source.h. */
+/* ports/tools/image_png.c: reads PNG by libpng's simplified API for etch-image. See image_source.h.
+ */
 #include <png.h>
 #include <string.h>
 

@@ -178,7 +178,8 @@ static void strips(const struct etch_surface *frame, uint32_t series, uint32_t r
     }
 }
 
-/* ---- one point -------------------------------------------------------------------------------- */
+/* ---- one point --------------------------------------------------------------------------------
+ */
 
 __attribute__((noinline)) void bench_counted(const struct etch_surface *s, uint32_t series,
                                              uint32_t x)

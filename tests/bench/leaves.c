@@ -64,8 +64,8 @@ static bool fill_differs(uint32_t widest)
     return differ();
 }
 
-/* What runs are made of: they begin within `spread` columns and are `least` pixels or more, `widest`
- * less one at most. */
+/* What runs are made of: they begin within `spread` columns and are `least` pixels or more,
+ * `widest` less one at most. */
 struct shape {
     uint32_t spread, least, widest;
 };

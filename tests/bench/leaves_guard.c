@@ -1,5 +1,5 @@
-/* bench/leaves_guard.c: do the kernels with the leaf loops of this machine write what the portable C
- * does, and touch nothing else? All of the library is linked twice, the portable one under names
+/* bench/leaves_guard.c: do the kernels with the leaf loops of this machine write what the portable
+ * C does, and touch nothing else? All of the library is linked twice, the portable one under names
  * portable_*. Planes and runs stand against memory that may not be touched, before or behind, and
  * the arguments are seeded and hostile. Ends with status 0 if no element differs; a touch outside
  * ends it by a signal. See `make bench-leaves`. */
@@ -170,9 +170,10 @@ static bool projection_differs(void)
 int16_t *portable_etch_edge_run(struct etch_point_q8 a, struct etch_point_q8 b, int16_t *out,
                                 int32_t n);
 
-/* From (128 + 256 i, 128 - k) an edge crosses row K, counted from its first, (k + 256 K) dx / (256 dy)
- * from a pixel's centre. Edges that do so in a centre or the least possible distance beside one,
- * 1 / (256 dy): in their first row, in every third by a slope that binary fractions miss, and in any. */
+/* From (128 + 256 i, 128 - k) an edge crosses row K, counted from its first, (k + 256 K) dx / (256
+ * dy) from a pixel's centre. Edges that do so in a centre or the least possible distance beside
+ * one, 1 / (256 dy): in their first row, in every third by a slope that binary fractions miss, and
+ * in any. */
 static struct etch_point_q8 hostile_edge(int32_t *k)
 {
     const uint32_t row = 1 + below(ETCH_RUN_BLOCK - 1), most = (1U << 22) / (1 + 256 * row);

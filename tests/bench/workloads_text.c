@@ -1,4 +1,5 @@
-/* bench/workloads_text.c: W14, 2,000 characters of 9 x 15 px as texts of one letter. See bench.h. */
+/* bench/workloads_text.c: W14, 2,000 characters of 9 x 15 px as texts of one letter. See bench.h.
+ */
 #include "bench.h"
 
 #include "../../core/draw/text.h"

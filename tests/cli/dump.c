@@ -1,4 +1,5 @@
-/* tests/cli: picture files against the pixels they came from. The PNG reader below is for these tests alone. */
+/* tests/cli: picture files against the pixels they came from. The PNG reader below is for these
+ * tests alone. */
 #include "ports/host/dump.h"
 
 #include <stdlib.h>
@@ -66,7 +67,8 @@ static void words_and_rows(void)
     CHECK(memcmp(ppm, plain_ppm, sizeof plain_ppm - 1) == 0);
 }
 
-/* ---- PNG: chunks and their sums, the zlib stream, the rows ------------------------------------ */
+/* ---- PNG: chunks and their sums, the zlib stream, the rows ------------------------------------
+ */
 
 static uint32_t load_u32(const uint8_t *p)
 {

@@ -23,7 +23,8 @@ static bool is_culled(const struct fragments_sample *s)
     return s->cull == (front ? 2 : 1);
 }
 
-/* ---- what covers a pixel, and what becomes of it ----------------------------------------------- */
+/* ---- what covers a pixel, and what becomes of it -----------------------------------------------
+ */
 
 /* The triangles that a sample is drawn as: vertex i of each is vertex from[i] of the sample. */
 struct shape {
@@ -120,7 +121,8 @@ static void expect(struct oracle_fragment *f, const struct fragments_sample *s,
         oracle_line_fragment(f, &shape->state, same, 0, 0, before);
 }
 
-/* ---- comparing --------------------------------------------------------------------------------- */
+/* ---- comparing ---------------------------------------------------------------------------------
+ */
 
 static void note(const struct fragments_sample *s, int x, int y, const struct oracle_fragment *f)
 {

@@ -1,4 +1,5 @@
-/* tests/cli: random states and primitives, and the scenes that draw them. See fragments_sample.h. */
+/* tests/cli: random states and primitives, and the scenes that draw them. See fragments_sample.h.
+ */
 #include "fragments_sample.h"
 
 #include <stdlib.h>
@@ -112,7 +113,8 @@ void fragments_make(struct fragments_sample *s, enum fragments_kind kind, uint32
     }
 }
 
-/* ---- the scene ---------------------------------------------------------------------------------- */
+/* ---- the scene ----------------------------------------------------------------------------------
+ */
 
 static int eight(int value, int full)
 {

@@ -1,5 +1,5 @@
-/* tests/cli: random states over random pixels, and a triangle, line or point drawn with them through a
- * scene file; no test of its own. */
+/* tests/cli: random states over random pixels, and a triangle, line or point drawn with them
+ * through a scene file; no test of its own. */
 #ifndef TESTS_CLI_FRAGMENTS_SAMPLE_H
 #define TESTS_CLI_FRAGMENTS_SAMPLE_H
 

@@ -74,3 +74,4 @@ for pass in 'antialias none' 'antialias ssaa 2' 'antialias ssaa 3' 'antialias ms
     'antialias fxaa\nfilter blur' 'antialias msaa\nmotionblur 3\nfilter average'; do
     planes "$pass" "$shapes"
 done
+planes 'antialias shared' 'fillpolygon inversion 7 2 115 16 -4 25 2221 2 7 237 250 27 140\n'

@@ -1,4 +1,5 @@
-/* tests/exhaustive: every line and circle of a small grid under every clip rectangle. See grid.h. */
+/* tests/exhaustive: every line and circle of a small grid under every clip rectangle. See grid.h.
+ */
 #include "core/etch.h"
 #include "core/draw/shapes_small.h"
 #include "core/raster/line_small.h"
@@ -74,7 +75,8 @@ static struct grid_count shapes(int64_t all, int64_t first, int64_t step, draw_f
     return count;
 }
 
-/* ---- lines: two pixels, fast or small --------------------------------------------------------- */
+/* ---- lines: two pixels, fast or small ---------------------------------------------------------
+ */
 
 struct ends {
     int16_t x0, y0, x1, y1;
@@ -110,7 +112,8 @@ struct grid_count grid_lines(int64_t first, int64_t step)
     return shapes((int64_t)2 * PIXELS * PIXELS, first, step, draw_line, line_covers);
 }
 
-/* ---- circles: a centre and a radius, fast, small or filled ------------------------------------- */
+/* ---- circles: a centre and a radius, fast, small or filled -------------------------------------
+ */
 
 struct round {
     int16_t x, y, r;

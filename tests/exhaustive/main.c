@@ -1,4 +1,5 @@
-/* tests/exhaustive: a part of all shapes. exhaustive PART PARTS; the last line is "N passed, N failed". */
+/* tests/exhaustive: a part of all shapes. exhaustive PART PARTS; the last line is "N passed, N
+ * failed". */
 #include <stdio.h>
 #include <stdlib.h>
 

@@ -1,5 +1,5 @@
-/* tests/images: writes the pictures that etch-image is tested with: colours that RGB565 has exactly.
- * pictures DIR */
+/* tests/images: writes the pictures that etch-image is tested with: colours that RGB565 has
+ * exactly. pictures DIR */
 #include <stdint.h>
 #include <stdio.h>
 

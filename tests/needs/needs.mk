@@ -4,7 +4,7 @@ CHECK_STEPS += needs
 
 NEEDS        := $(BUILD)/needs
 NEEDS_LIBGCC := $(shell arm-none-eabi-gcc -mcpu=cortex-m0plus -mthumb -print-libgcc-file-name 2>/dev/null)
-$(NEEDS)/needs_table.c: tests/needs/table.py $(BUILD)/bench/size/libetch.a $(STACK_CI)
+$(NEEDS)/needs_table.c: tests/needs/table.py $(BUILD)/bench/size/libetch.a $(patsubst %.c,$(BUILD)/stack/%.o,$(CORE) $(HAL))
 	@mkdir -p $(@D)
 	$(Q)python3 tests/needs/table.py $(BUILD)/bench/size/libetch.a $(NEEDS_LIBGCC) $(BUILD)/stack $@
 # Today's sums, and those of the table that is committed.

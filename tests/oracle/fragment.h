@@ -51,8 +51,8 @@ void oracle_fragment(struct oracle_fragment *out, const struct oracle_state *s,
                      const struct oracle_triangle *t, const struct oracle_vertex v[3], int32_t x,
                      int32_t y, struct oracle_pixel before);
 
-/* The same for the pixel k = 0 .. length pixels along the major axis from v[0] to v[1], or for the only
- * one of a line without length, which has the mean. The state's texture is not read. */
+/* The same for the pixel k = 0 .. length pixels along the major axis from v[0] to v[1], or for the
+ * only one of a line without length, which has the mean. The state's texture is not read. */
 void oracle_line_fragment(struct oracle_fragment *out, const struct oracle_state *s,
                           const struct oracle_vertex v[2], int64_t k, int64_t length,
                           struct oracle_pixel before);

@@ -1,4 +1,5 @@
-/* tests/oracle/round.h: ellipses, rounded rectangles, rings and arcs by definition, pixel by pixel. */
+/* tests/oracle/round.h: ellipses, rounded rectangles, rings and arcs by definition, pixel by pixel.
+ */
 #ifndef TESTS_ORACLE_ROUND_H
 #define TESTS_ORACLE_ROUND_H
 
@@ -11,7 +12,8 @@ bool oracle_ellipse_covers(int32_t rx, int32_t ry, int32_t dx, int32_t dy);
 /* The rectangle without what lies off the discs of its corners. */
 bool oracle_round_rect_covers(int32_t w, int32_t h, int32_t r, int32_t dx, int32_t dy);
 
-/* The direction is at or clockwise after `from` and before `from` + `sweep`; the centre is direction 0. */
+/* The direction is at or clockwise after `from` and before `from` + `sweep`; the centre is
+ * direction 0. */
 bool oracle_sector_covers(uint16_t from, uint32_t sweep, int32_t dx, int32_t dy);
 
 /* A disc less a disc, of the sector. */

@@ -1,6 +1,7 @@
 /* wp: etch_divide_u64,etch_divide_round_s64,etch_q16_div
- * proved: 64-bit division (base/divide.c) ends, with n = quotient d + remainder and remainder < d, for every n and
- *          every d in 1 .. 2^63; rounded and saturated division, also in 16.16, does not overflow
+ * proved: 64-bit division (base/divide.c) ends, with n = quotient d + remainder and
+ *          remainder < d, for every n and every d in 1 .. 2^63; rounded and saturated
+ *          division, also in 16.16, does not overflow
  * assumed: nothing */
 #include "prove.h"
 #include "core/base/divide.c"

@@ -1,7 +1,8 @@
 /* wp: edge_step,quotient_of,step
  * spec: quotient_of
- * proved: an edge is placed on its first row (raster/edge.h) without overflow, for every edge that crosses
- *          a row; a step down adds dx to x dy - e, exactly, and keeps 0 <= e < dy
+ * proved: an edge is placed on its first row (raster/edge.h) without overflow, for every
+ *          edge that crosses a row; a step down adds dx to x dy - e, exactly, and keeps 0 <=
+ *          e < dy
  * assumed: an edge that is placed crosses a row; a step begins at an x that 16 bits hold */
 #include "prove.h"
 #include "core/raster/edge.h"

@@ -1,5 +1,5 @@
-/* proved: products, leading zeros, saturation, snapping of base/fixed.h stay in their types for every
- *          argument, and the results in the ranges that the header states
+/* proved: products, leading zeros, saturation, snapping of base/fixed.h stay in their types
+ *          for every argument, and the results in the ranges that the header states
  * assumed: nothing */
 #include "prove.h"
 #include "core/base/fixed.h"

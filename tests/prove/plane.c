@@ -1,7 +1,7 @@
 /* wp: slope_of,times_rest,times,rounded,etch_plane_setup
  * spec: etch_divide_u64
- * proved: exact plane equations (raster/plane.c), for every triangle of vertices in -2^23 .. 2^23 and every
- *          values: nothing overflows, every rest stays below the area
+ * proved: exact plane equations (raster/plane.c), for every triangle of vertices in -2^23 ..
+ *          2^23 and every values: nothing overflows, every rest stays below the area
  * assumed: what etch_divide_u64 promises (divide.c) */
 #include "prove.h"
 #include "core/raster/plane.c"

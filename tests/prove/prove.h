@@ -1,9 +1,10 @@
-/* prove/prove.h: what the proofs share. Each tests/prove/NAME.c includes a file of core and calls its
- * functions with every value of the stated ranges; Frama-C's EVA then shows that no signed or unsigned
- * sum, product, shift or conversion leaves its type, no division is by zero, and every CHECK holds.
+/* prove/prove.h: what the proofs share. Each tests/prove/NAME.c includes a file of core and calls
+ * its functions with every value of the stated ranges; Frama-C's EVA then shows that no signed or
+ * unsigned sum, product, shift or conversion leaves its type, no division is by zero, and every
+ * CHECK holds.
  *
- * Unsigned arithmetic that is meant to wrap stands in helpers called wrap: their contracts below stand
- * for them, and are all that is assumed. */
+ * Unsigned arithmetic that is meant to wrap stands in helpers called wrap: their contracts below
+ * stand for them, and are all that is assumed. */
 #ifndef PROVE_H
 #define PROVE_H
 

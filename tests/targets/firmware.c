@@ -1,5 +1,5 @@
-/* tests/targets: the program of every board: draws the scene SCENE through the frame loop, in strips
- * of what STRIP pixels hold, then says so. Two buffers where the board gives two. */
+/* tests/targets: the program of every board: draws the scene SCENE through the frame loop, in
+ * strips of what STRIP pixels hold, then says so. Two buffers where the board gives two. */
 #include "hal/frame.h"
 #include "ports/board.h"
 #include "scenes.h"

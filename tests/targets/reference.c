@@ -1,6 +1,6 @@
-/* tests/targets: reference SCENE WIDTH HEIGHT [PANEL]: writes the frame that a board must show, drawn
- * whole, as big-endian RGB565 to standard output: as it lies in memory, or as the simulated panel of
- * that name shows it where a panel has other colours. */
+/* tests/targets: reference SCENE WIDTH HEIGHT [PANEL]: writes the frame that a board must show,
+ * drawn whole, as big-endian RGB565 to standard output: as it lies in memory, or as the simulated
+ * panel of that name shows it where a panel has other colours. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

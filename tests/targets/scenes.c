@@ -12,7 +12,8 @@ static void keep_size(int16_t width, int16_t height)
     frame_height = height;
 }
 
-/* ---- every shape, across the borders ---------------------------------------------------------- */
+/* ---- every shape, across the borders ----------------------------------------------------------
+ */
 
 static void draw_shapes(const struct etch_surface *s, bool swapped)
 {
@@ -36,7 +37,8 @@ static void draw_shapes(const struct etch_surface *s, bool swapped)
 
 const struct target_scene target_shapes = {"shapes", keep_size, draw_shapes};
 
-/* ---- a chequered floor to the horizon ---------------------------------------------------------- */
+/* ---- a chequered floor to the horizon ----------------------------------------------------------
+ */
 
 static uint16_t tile[16 * 16];
 

@@ -1,7 +1,7 @@
 /* tests/targets: simavr MCU ELF: runs a firmware until it sleeps for good, and writes its bytes on
- * SPI and what it does to port B in the form that glass.c reads; what it says, and what it cost, goes
- * to standard error. WAITING in the environment has pairs of addresses: functions that wait for SPI,
- * for which simavr takes 100 us a byte, whatever its clock. */
+ * SPI and what it does to port B in the form that glass.c reads; what it says, and what it cost,
+ * goes to standard error. WAITING in the environment has pairs of addresses: functions that wait
+ * for SPI, for which simavr takes 100 us a byte, whatever its clock. */
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -116,7 +116,8 @@ static void draw_torus(const struct torus *t, uint16_t turned, const struct etch
     (void)etch_mesh_draw(&stage, &assembly, t->kept, t->mesh.vertex_count);
 }
 
-/* ---- 100 triangles, still and spinning --------------------------------------------------------- */
+/* ---- 100 triangles, still and spinning ---------------------------------------------------------
+ */
 
 TORUS(small, 10, 5);
 static uint16_t turned;
@@ -148,7 +149,8 @@ static void draw_spin(const struct etch_surface *s, bool swapped)
 const struct target_scene target_torus = {"torus", prepare_small, draw_small};
 const struct target_scene target_spin = {"spin", prepare_spin, draw_spin};
 
-/* ---- 1000 triangles ---------------------------------------------------------------------------- */
+/* ---- 1000 triangles ----------------------------------------------------------------------------
+ */
 
 TORUS(large, 50, 10);
 

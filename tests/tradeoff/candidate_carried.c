@@ -1,5 +1,6 @@
-/* tradeoff/candidate_carried.c: exact colours by quotient and remainder at every pixel. See candidates.h.
- * A channel is N / (510 D) as whole + rest / (510 D); both step, and rest carries into whole. */
+/* tradeoff/candidate_carried.c: exact colours by quotient and remainder at every pixel. See
+ * candidates.h. A channel is N / (510 D) as whole + rest / (510 D); both step, and rest carries
+ * into whole. */
 #include "../../core/draw/setup_exact.h"
 #include "candidates.h"
 

@@ -1,10 +1,10 @@
-/* tradeoff/candidate_fast.c: cheap colour planes: steps of the barycentric weights, shared by the channels.
- * See candidates.h.
+/* tradeoff/candidate_fast.c: cheap colour planes: steps of the barycentric weights, shared by the
+ * channels. See candidates.h.
  *
- * A channel is c0 + d1 w1 + d2 w2, d the differences of 8 bits at vertices 1 and 2, w their weights. The
- * steps of the weights, in 5.27 steps of red and blue for a difference of 1, are products of a coordinate
- * below 2^bits and the upper bits of a reciprocal, so that 32 bits hold them. A channel then takes six
- * products modulo 2^32. */
+ * A channel is c0 + d1 w1 + d2 w2, d the differences of 8 bits at vertices 1 and 2, w their
+ * weights. The steps of the weights, in 5.27 steps of red and blue for a difference of 1, are
+ * products of a coordinate below 2^bits and the upper bits of a reciprocal, so that 32 bits hold
+ * them. A channel then takes six products modulo 2^32. */
 #include "../../core/draw/setup.h"
 #include "../../core/fragment/gouraud.h"
 #include "candidates.h"

@@ -2,8 +2,8 @@
 #include "../../core/fragment/gouraud.h"
 #include "candidates.h"
 
-/* A channel from 5.27 or 6.26 to the top 10 or 12 bits, squeezed by 1/64 round its middle: fields keep
- * 1/4 of a step from their ends, which is what 15 steps rounded to 2^-5 can drift. */
+/* A channel from 5.27 or 6.26 to the top 10 or 12 bits, squeezed by 1/64 round its middle: fields
+ * keep 1/4 of a step from their ends, which is what 15 steps rounded to 2^-5 can drift. */
 static uint32_t squeezed_wrap(uint32_t v, uint8_t steps_bits)
 {
     return v - (v >> 6) + (UINT32_C(1) << (30 - steps_bits));

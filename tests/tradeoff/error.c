@@ -1,7 +1,7 @@
-/* tradeoff/error.c: what every mode errs by over every scene, on the host, against exact rationals of the
- * snapped vertices. Every triangle is drawn alone, so that each of its pixels is seen. Writes the rows
- *      mode,kernel,scene,unit,mean,p999,max,program,bytes,triangle,pixels,triangles
- * in the order in which main.c draws. */
+/* tradeoff/error.c: what every mode errs by over every scene, on the host, against exact rationals
+ * of the snapped vertices. Every triangle is drawn alone, so that each of its pixels is seen.
+ * Writes the rows mode,kernel,scene,unit,mean,p999,max,program,bytes,triangle,pixels,triangles in
+ * the order in which main.c draws. */
 #include "error.h"
 
 #include <math.h>

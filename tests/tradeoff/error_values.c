@@ -1,4 +1,5 @@
-/* tradeoff/error_values.c: errors of colours, depths, texels and shares of a pixel. Called by error.c. */
+/* tradeoff/error_values.c: errors of colours, depths, texels and shares of a pixel. Called by
+ * error.c. */
 #include "error.h"
 
 #include <math.h>
@@ -135,7 +136,8 @@ void error_texel(const struct error_triangle *t)
     }
 }
 
-/* ---- the share of a pixel ------------------------------------------------------------------------ */
+/* ---- the share of a pixel
+ * ------------------------------------------------------------------------ */
 
 struct corner {
     double x, y;

@@ -1,4 +1,5 @@
-/* tradeoff/error_visible.c: pixels that show another triangle than the nearest. Called by error.c. */
+/* tradeoff/error_visible.c: pixels that show another triangle than the nearest. Called by error.c.
+ */
 #include "error.h"
 
 #include <stdlib.h>

@@ -1,4 +1,5 @@
-/* tradeoff/flash.c: a program that draws with one mode, -DMODE=name: what that weighs. See tradeoff.mk. */
+/* tradeoff/flash.c: a program that draws with one mode, -DMODE=name: what that weighs. See
+ * tradeoff.mk. */
 #include "tradeoff.h"
 
 #define DRAW_OF(name) draw_##name

@@ -1,6 +1,7 @@
-/* tradeoff/main.c: draws every mode over its scenes, on Cortex-M under QEMU and on the host. The plugin
- * counts from bench_counted to bench_done, one figure for each drawing; `hashes` holds a word for each
- * picture, so that the host's, whose errors are known, can be compared. See tradeoff.h. */
+/* tradeoff/main.c: draws every mode over its scenes, on Cortex-M under QEMU and on the host. The
+ * plugin counts from bench_counted to bench_done, one figure for each drawing; `hashes` holds a
+ * word for each picture, so that the host's, whose errors are known, can be compared. See
+ * tradeoff.h. */
 #include "../bench/bench.h"
 #include "tradeoff.h"
 

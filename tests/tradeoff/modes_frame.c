@@ -1,5 +1,5 @@
-/* tradeoff/modes_frame.c: edges: none, smooth, and samples; and whole-pixel vertices. See tradeoff.h. Clears
- * of samples and resolves are part of what a mode costs. */
+/* tradeoff/modes_frame.c: edges: none, smooth, and samples; and whole-pixel vertices. See
+ * tradeoff.h. Clears of samples and resolves are part of what a mode costs. */
 #include "../../core/draw/shapes.h"
 #include "../../core/draw/triangle.h"
 #include "../../core/fragment/cover.h"
@@ -106,7 +106,8 @@ SUPERSAMPLES(2)
 SUPERSAMPLES(3)
 SUPERSAMPLES(4)
 
-/* ---- vertices ---------------------------------------------------------------------------------- */
+/* ---- vertices ----------------------------------------------------------------------------------
+ */
 
 void draw_subpixel(const struct etch_surface *s, const struct tradeoff_scene *scene)
 {

@@ -1,4 +1,5 @@
-/* tradeoff/scenes.c: the fixed scenes. See tradeoff.h. Integers only: they are the same on every machine. */
+/* tradeoff/scenes.c: the fixed scenes. See tradeoff.h. Integers only: they are the same on every
+ * machine. */
 #include "../../core/base/sink.h"
 #include "../bench/bench.h"
 #include "tradeoff.h"
@@ -25,7 +26,8 @@ static int32_t range(int32_t least, int32_t most)
     return least + (int32_t)(random_wrap() % (uint32_t)(most - least + 1));
 }
 
-/* A vertex there, all else at random, one after the other: the order of calls must not be the compiler's. */
+/* A vertex there, all else at random, one after the other: the order of calls must not be the
+ * compiler's. */
 static struct etch_texture_vertex vertex(int32_t x_q8, int32_t y_q8)
 {
     struct etch_texture_vertex v = {{x_q8, y_q8, 0, 0, 0, 0, 255}, 0, 0, 0};
@@ -87,7 +89,8 @@ static void slivers(void)
     }
 }
 
-/* Row k of the floor is w = 2^(k / 2) from the eye (1.5 at halves) and 600 / w px below the horizon. */
+/* Row k of the floor is w = 2^(k / 2) from the eye (1.5 at halves) and 600 / w px below the
+ * horizon. */
 static struct etch_texture_vertex floor_corner(int32_t k, int32_t side)
 {
     const int32_t w_q8 = k % 2 == 0 ? 256 << k / 2 : 384 << k / 2;
@@ -124,8 +127,9 @@ static void ramps(void)
     }
 }
 
-/* Thirteen pairs of triangles over the same pixels, a cell of the screen each: the second is 16 units of
- * depth nearer than the first, 8, .. 1/256, from the far end of the range to the near one. */
+/* Thirteen pairs of triangles over the same pixels, a cell of the screen each: the second is 16
+ * units of depth nearer than the first, 8, .. 1/256, from the far end of the range to the near one.
+ */
 static void planes(void)
 {
     for (int32_t i = 0; i < 13; i++) {

@@ -1,7 +1,8 @@
-/* tradeoff/separation.c: how far apart two walls must be to be told apart, for near : far of three scenes
- * and distances from near to far; on the host. Writes distance,ratio,linear,inverse, the separations as
- * shares of the distance. Walls face the eye, so their depth is one number, and a layout tells a pair
- * apart if the nearer wall's depth is less, here and at 36 places up to twice as far. */
+/* tradeoff/separation.c: how far apart two walls must be to be told apart, for near : far of three
+ * scenes and distances from near to far; on the host. Writes distance,ratio,linear,inverse, the
+ * separations as shares of the distance. Walls face the eye, so their depth is one number, and a
+ * layout tells a pair apart if the nearer wall's depth is less, here and at 36 places up to twice
+ * as far. */
 #include <math.h>
 #include <stdio.h>
 

@@ -1,9 +1,9 @@
 /* tradeoff/tradeoff.h: modes and scenes of the trade-off table.
  *
- * A mode is one way to draw a triangle: a function, what its error is measured in, and the memory that it
- * needs. A scene is a list of triangles. main.c draws every mode over every scene that it is for, between
- * the markers that the QEMU plugin counts by; error.c draws the same on the host, triangle by triangle,
- * and compares with exact rationals; tradeoff.py joins both. */
+ * A mode is one way to draw a triangle: a function, what its error is measured in, and the memory
+ * that it needs. A scene is a list of triangles. main.c draws every mode over every scene that it
+ * is for, between the markers that the QEMU plugin counts by; error.c draws the same on the host,
+ * triangle by triangle, and compares with exact rationals; tradeoff.py joins both. */
 #ifndef TRADEOFF_TRADEOFF_H
 #define TRADEOFF_TRADEOFF_H
 

@@ -1,5 +1,5 @@
-/* tests/unit: blending, logic operations and colour masks against their definitions, in 64 bits: all
- * destinations, all alphas, and sources with their fraction bits. */
+/* tests/unit: blending, logic operations and colour masks against their definitions, in 64 bits:
+ * all destinations, all alphas, and sources with their fraction bits. */
 #include "core/fragment/blend.h"
 #include "core/fragment/logic.h"
 #include "core/fragment/write.h"
@@ -171,7 +171,8 @@ static void ends_of_alpha_are_identities(void)
     }
 }
 
-/* The sixteen operations by their truth tables: bit 3 .. 0 is the result for S D = 11, 10, 01, 00. */
+/* The sixteen operations by their truth tables: bit 3 .. 0 is the result for S D = 11, 10, 01, 00.
+ */
 static const struct {
     etch_stage_function *stage;
     unsigned truth;

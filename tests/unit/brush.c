@@ -1,4 +1,5 @@
-/* tests/unit: gradients, patterns, tiles and stipples against their definitions, and how they are blended. */
+/* tests/unit: gradients, patterns, tiles and stipples against their definitions, and how they are
+ * blended. */
 #include "core/base/rgb565.h"
 #include "core/draw/line_stipple.h"
 #include "core/fragment/blend_fused.h"
@@ -27,7 +28,8 @@ static void number_ramp(uint8_t bits)
     ramp.bits = bits;
 }
 
-/* ---- ramps ------------------------------------------------------------------------------------- */
+/* ---- ramps -------------------------------------------------------------------------------------
+ */
 
 static int64_t channel(const struct etch_stop *s, int32_t n, int64_t at, int32_t which,
                        int64_t most)
@@ -93,7 +95,8 @@ static void ramps_refuse(void)
     CHECK_EQ(etch_ramp_init(&ramp, table, 8, s, 2), ETCH_EINVAL);
 }
 
-/* ---- gradients --------------------------------------------------------------------------------- */
+/* ---- gradients ---------------------------------------------------------------------------------
+ */
 
 static int64_t held(int64_t i, int64_t most)
 {
@@ -178,7 +181,8 @@ static void radial_gradients(void)
     }
 }
 
-/* ---- patterns ---------------------------------------------------------------------------------- */
+/* ---- patterns ----------------------------------------------------------------------------------
+ */
 
 static const uint8_t rows[8] = {0x80, 0x41, 0x3C, 0xFF, 0x00, 0x07, 0xA5, 0x18};
 
@@ -283,7 +287,8 @@ static void line_stipples_count_pixels(void)
     }
 }
 
-/* ---- blending ---------------------------------------------------------------------------------- */
+/* ---- blending ----------------------------------------------------------------------------------
+ */
 
 /* Colours that depend on the place. */
 static uint16_t color_at(int32_t x, int32_t y)

@@ -1,5 +1,5 @@
-/* tests/unit: what clipped triangles cover: each pixel once along shared edges, near and far cut where
- * they must, the sides are the scissor's. */
+/* tests/unit: what clipped triangles cover: each pixel once along shared edges, near and far cut
+ * where they must, the sides are the scissor's. */
 #include "core/vertex/clip_volume.h"
 #include "tests/oracle/triangle.h"
 #include "tests/unit/clip_count.h"
@@ -122,7 +122,8 @@ static void near_and_far_cut_where_they_must(void)
 
 /* ---- sides ----------------------------------------------------------------------------------- */
 
-/* A triangle between near and far that crosses any of the sides, as far as the guard planes let it. */
+/* A triangle between near and far that crosses any of the sides, as far as the guard planes let it.
+ */
 static bool make_sides(struct etch_clip_vertex v[3], const struct etch_viewport *viewport,
                        uint32_t *seed)
 {

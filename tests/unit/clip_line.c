@@ -13,7 +13,8 @@ static const struct etch_rect rects[] = {{0, 0, 320, 240},     {10, 20, 20, 23},
                                          {0, 0, 1, 1},         {32000, 0, 32767, 10}};
 #define RECTS ((int)(sizeof rects / sizeof rects[0]))
 
-/* ---- the oracle: every plane as an interval of t, the latest beginning and the earliest end --- */
+/* ---- the oracle: every plane as an interval of t, the latest beginning and the earliest end ---
+ */
 
 /* t = n / d, 0 < n <= d < 2^44 */
 struct fraction {

@@ -154,7 +154,8 @@ static void straight_curves_are_one_chord(void)
     CHECK_EQ(etch_curve_bits(UINT32_MAX, INT32_MAX), 0);
 }
 
-/* A drawn curve is the polyline through the pixels of its points, each pixel of a short one once. */
+/* A drawn curve is the polyline through the pixels of its points, each pixel of a short one once.
+ */
 static void curves_draw_their_chords(void)
 {
     static struct etch_point line[MOST + 1];

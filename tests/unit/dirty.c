@@ -147,7 +147,8 @@ static void areas_change_what_they_cover(void)
     }
 }
 
-/* ---- memory that is drawn into directly -------------------------------------------------------- */
+/* ---- memory that is drawn into directly --------------------------------------------------------
+ */
 
 static uint16_t memory_pixels[SIDE * (SIDE + 3)];
 static int told;

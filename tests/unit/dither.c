@@ -19,8 +19,9 @@ static uint32_t bayer(int32_t x, int32_t y)
     return b;
 }
 
-/* Whether got = floor(v + t) for some v within 1/64 step of the exact value, t = (2 b + 1) / 128: all
- * times 255 * 128 area. And between the floor of the least and the ceiling of the greatest vertex. */
+/* Whether got = floor(v + t) for some v within 1/64 step of the exact value, t = (2 b + 1) / 128:
+ * all times 255 * 128 area. And between the floor of the least and the ceiling of the greatest
+ * vertex. */
 static bool channel_ok(const struct test_sample *s, int32_t x, int32_t y, uint32_t got,
                        uint32_t full, const uint8_t c[3])
 {

@@ -7,7 +7,8 @@
 
 void suite_elements(void);
 
-/* ---- kinds ------------------------------------------------------------------------------------ */
+/* ---- kinds ------------------------------------------------------------------------------------
+ */
 
 struct written {
     struct etch_element_sink sink;
@@ -80,7 +81,8 @@ static void without_indices_all_vertices_count(void)
     CHECK(w.n == 4);
 }
 
-/* ---- lines and points -------------------------------------------------------------------------- */
+/* ---- lines and points --------------------------------------------------------------------------
+ */
 
 #define MOST 600
 
@@ -176,7 +178,8 @@ static void lines_are_clipped_and_projected(void)
     CHECK(lines > TEST_COUNT(100) && points > TEST_COUNT(100));
 }
 
-/* ---- meshes ------------------------------------------------------------------------------------ */
+/* ---- meshes ------------------------------------------------------------------------------------
+ */
 
 struct direct {
     struct etch_element_sink sink;

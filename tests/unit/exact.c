@@ -1,5 +1,5 @@
-/* tests/unit: the exact mode. Every colour and depth is the exact rational rounded half up, at every
- * pixel of triangles of every kind. */
+/* tests/unit: the exact mode. Every colour and depth is the exact rational rounded half up, at
+ * every pixel of triangles of every kind. */
 #include "core/draw/exact.h"
 #include "core/base/rgb565.h"
 #include "tests/harness/canvas.h"
@@ -46,7 +46,8 @@ static bool depth_ok(const struct test_sample *s, int32_t x, int32_t y, uint16_t
     return is_rounded(s, depth, oracle_triangle_value(&s->exact, x, y, z), 65536);
 }
 
-/* Colour, where `colored`, and depth, where `deep`, of every covered pixel; the others untouched. */
+/* Colour, where `colored`, and depth, where `deep`, of every covered pixel; the others untouched.
+ */
 static void check_pixels(const struct test_sample *s, bool colored, bool deep, uint16_t swap)
 {
     const struct etch_rect clip = canvas.surface.clip;
@@ -115,7 +116,8 @@ static void slivers_too(void)
         check_sample(i, &seed, true);
 }
 
-/* From 127 to 128 over two pixels: 127.5 is 15.5 of 31 and 31.5 of 63, and goes up. Depth likewise. */
+/* From 127 to 128 over two pixels: 127.5 is 15.5 of 31 and 31.5 of 63, and goes up. Depth likewise.
+ */
 static void ties_go_up(void)
 {
     static const int32_t x[3] = {128, 128 + 512, 128}, y[3] = {128, 128, 128 + 512};

@@ -1,4 +1,5 @@
-/* tests/unit: a sample of `make exhaustive`, each shape of a stride that is prime to the grid's sides. */
+/* tests/unit: a sample of `make exhaustive`, each shape of a stride that is prime to the grid's
+ * sides. */
 #include "tests/exhaustive/grid.h"
 #include "tests/harness/harness.h"
 

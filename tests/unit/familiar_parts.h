@@ -5,7 +5,8 @@
 #include "tests/harness/canvas.h"
 #include "tests/oracle/gfx.h"
 
-/* The canvas has exactly the oracle's pixels, and guard words outside its clip; else the case fails. */
+/* The canvas has exactly the oracle's pixels, and guard words outside its clip; else the case
+ * fails. */
 static inline bool same_pixels(const struct test_canvas *canvas)
 {
     const struct etch_rect c = canvas->surface.clip;

@@ -1,6 +1,6 @@
 /* tests/unit: passes that look at neighbours, against plain loops over the whole picture: 3 x 3
- * filters by convolution, edge smoothing by the four steps of its header; in strips of every height,
- * in any order and in parts of the frame. */
+ * filters by convolution, edge smoothing by the four steps of its header; in strips of every
+ * height, in any order and in parts of the frame. */
 #include "core/base/rgb565.h"
 #include "core/frame/filter.h"
 #include "core/frame/smooth.h"
@@ -44,7 +44,8 @@ static int32_t floor_divide(int32_t n, int32_t d)
     return n >= 0 ? n / d : -((d - 1 - n) / d);
 }
 
-/* ---- what is expected ---------------------------------------------------------------------------- */
+/* ---- what is expected
+ * ---------------------------------------------------------------------------- */
 
 static uint16_t convolved(const struct etch_filter_weights *w, int32_t x, int32_t y)
 {
@@ -153,7 +154,8 @@ static uint16_t smoothed(int32_t x, int32_t y)
     return pack(c);
 }
 
-/* ---- pictures ------------------------------------------------------------------------------------ */
+/* ---- pictures
+ * ------------------------------------------------------------------------------------ */
 
 /* Noise, noise of few colours, or areas with slanted edges, all seeded. */
 static void make_picture(int32_t kind, uint32_t *seed)
@@ -174,7 +176,8 @@ static void make_picture(int32_t kind, uint32_t *seed)
     }
 }
 
-/* ---- the passes, behind one face ----------------------------------------------------------------- */
+/* ---- the passes, behind one face
+ * ----------------------------------------------------------------- */
 
 struct pass {
     int32_t kind; /* 0 any kernel, 1 average, 2 Sobel, 3 smoothing */
@@ -268,7 +271,8 @@ static bool draw_area(const struct pass *p, struct etch_carry *c, struct etch_su
     return same;
 }
 
-/* ---- cases --------------------------------------------------------------------------------------- */
+/* ---- cases
+ * --------------------------------------------------------------------------------------- */
 
 static void strips_of_every_height_are_the_definition(void)
 {

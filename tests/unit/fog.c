@@ -1,4 +1,5 @@
-/* tests/unit: fog against its definition in 62-bit integers: every depth, many densities and ranges. */
+/* tests/unit: fog against its definition in 62-bit integers: every depth, many densities and
+ * ranges. */
 #include "core/fragment/fog.h"
 #include "tests/harness/harness.h"
 

@@ -1,6 +1,6 @@
-/* tests/unit: what the tests of the frame loop share: a display whose transfers take place when they
- * are waited for and which notices every buffer that was touched before. Each test file has its
- * own. */
+/* tests/unit: what the tests of the frame loop share: a display whose transfers take place when
+ * they are waited for and which notices every buffer that was touched before. Each test file has
+ * its own. */
 #ifndef TESTS_FRAME_PARTS_H
 #define TESTS_FRAME_PARTS_H
 

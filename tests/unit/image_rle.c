@@ -1,5 +1,5 @@
-/* tests/unit: compressed images: what was packed is drawn, strips and clips change nothing, and hostile
- * data draws what its definition says. */
+/* tests/unit: compressed images: what was packed is drawn, strips and clips change nothing, and
+ * hostile data draws what its definition says. */
 #include "core/draw/image_rle.h"
 
 #include "tests/harness/canvas.h"

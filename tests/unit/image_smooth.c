@@ -1,5 +1,5 @@
-/* tests/unit: images through samplers: bilinear against exact weights, opacity, and that what is filtered
- * at the centres of texels is the image. */
+/* tests/unit: images through samplers: bilinear against exact weights, opacity, and that what is
+ * filtered at the centres of texels is the image. */
 #include "core/draw/image.h"
 #include "core/fragment/sampler.h"
 #include "core/fragment/source_map.h"

@@ -33,8 +33,9 @@ static uint8_t leading_zeros(uint32_t v)
     return n;
 }
 
-/* Whether the depth is the code nearest to some q within 1024 / 2^up units of the exact one, or beyond
- * x + y = 2046 within (x + y + 1) / 2 of them: q 2^31 area of the ends of its step, moved by that. */
+/* Whether the depth is the code nearest to some q within 1024 / 2^up units of the exact one, or
+ * beyond x + y = 2046 within (x + y + 1) / 2 of them: q 2^31 area of the ends of its step, moved by
+ * that. */
 static bool depth_ok(const struct test_sample *s, int32_t x, int32_t y, uint16_t depth)
 {
     const uint64_t area = (uint64_t)s->exact.area;
@@ -164,8 +165,8 @@ static void constants_are_rounded(void)
     }
 }
 
-/* Two walls w / 2048 apart, near : far = 1 : 65535, are told apart at every distance but the last, where
- * linear depth keeps both in one step from 1/256 of the way on. */
+/* Two walls w / 2048 apart, near : far = 1 : 65535, are told apart at every distance but the last,
+ * where linear depth keeps both in one step from 1/256 of the way on. */
 static void walls_are_told_apart(void)
 {
     const struct etch_rect window = {0, 0, 8, 8};

@@ -15,7 +15,8 @@ void suite_kernel(void);
 static const struct etch_rect frame = {0, 0, 40, 30};
 static struct test_canvas canvas, other;
 
-/* ---- kernels that are not shipped, by one line each ------------------------------------------- */
+/* ---- kernels that are not shipped, by one line each -------------------------------------------
+ */
 
 #define ALL_TESTS(X)                                                                               \
     X(never, false)                                                                                \
@@ -226,7 +227,8 @@ static void same_triangle_twice(void)
     }
 }
 
-/* ---- byte order ------------------------------------------------------------------------------- */
+/* ---- byte order -------------------------------------------------------------------------------
+ */
 
 /* `canvas` plain and `other` swapped hold the same picture and the same depths. */
 static void compare_swapped(void)

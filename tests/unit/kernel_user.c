@@ -1,5 +1,5 @@
-/* tests/unit: a user's own pixel work: a shader through the one-line macro, a kernel without it, and
- * a function of the barycentric weights. */
+/* tests/unit: a user's own pixel work: a shader through the one-line macro, a kernel without it,
+ * and a function of the barycentric weights. */
 #include "core/draw/shapes.h"
 #include "core/draw/triangle.h"
 #include "core/fragment/template.h"

@@ -7,7 +7,8 @@
 
 void suite_lamp(void);
 
-/* ---- unit vectors ----------------------------------------------------------------------------- */
+/* ---- unit vectors -----------------------------------------------------------------------------
+ */
 
 static uint64_t exact_root(uint64_t v)
 {
@@ -93,7 +94,8 @@ static void units_are_near(void)
     }
 }
 
-/* ---- normals ---------------------------------------------------------------------------------- */
+/* ---- normals ----------------------------------------------------------------------------------
+ */
 
 /* Entries of any size, or a scale that differs by axis and mirrors. */
 static void random_matrix(struct etch_matrix *m, int kind, uint32_t *seed)

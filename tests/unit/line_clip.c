@@ -6,7 +6,8 @@
 
 void suite_line_clip(void);
 
-/* ---- the oracle: every side as an interval of t = n / d --------------------------------------- */
+/* ---- the oracle: every side as an interval of t = n / d ---------------------------------------
+ */
 
 struct fraction {
     int64_t n, d; /* 0 <= n <= d < 2^33 */

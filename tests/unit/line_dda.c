@@ -108,7 +108,8 @@ static void ends_are_drawn(void)
     }
 }
 
-/* A slope of 16 bits is exact where the line is 2^k + 1 pixels long: Bresenham's pixels, ties too. */
+/* A slope of 16 bits is exact where the line is 2^k + 1 pixels long: Bresenham's pixels, ties too.
+ */
 static void exact_slopes_are_bresenhams(void)
 {
     static const struct etch_rect window = {0, 0, 33, 33};

@@ -126,8 +126,8 @@ static void make_sample(struct sample *s, int32_t i, uint32_t *seed)
     s->low = s->p[2 * s->first + s->u];
 }
 
-/* |got unit - value| <= most in units of 1/64 step, where the value is `steps` / 255 steps a unit of
- * the channel, k pixels from the first of du. */
+/* |got unit - value| <= most in units of 1/64 step, where the value is `steps` / 255 steps a unit
+ * of the channel, k pixels from the first of du. */
 static bool is_channel(int32_t got, int32_t steps, int64_t a, int64_t b, int64_t k, int64_t du)
 {
     const int64_t whole = 255 * du, value = (a * (du - k) + b * k) * steps;

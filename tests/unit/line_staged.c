@@ -1,6 +1,6 @@
-/* tests/unit: lines and points through stages: those of the fused kernels bit for bit, alpha within its
- * bound of the exact value, clips change nothing. What whole pipelines make of them is proved through
- * scene files by tests/cli/fragments.c. */
+/* tests/unit: lines and points through stages: those of the fused kernels bit for bit, alpha within
+ * its bound of the exact value, clips change nothing. What whole pipelines make of them is proved
+ * through scene files by tests/cli/fragments.c. */
 #include "core/draw/line.h"
 #include "core/draw/line_staged.h"
 #include "core/fragment/gouraud.h"
@@ -71,7 +71,8 @@ static void prepare(void)
                 (uint16_t)(25 + (x * 7 + y * 3) % 11);
 }
 
-/* ---- the same as fused ------------------------------------------------------------------------- */
+/* ---- the same as fused -------------------------------------------------------------------------
+ */
 
 static void draw_fused(int32_t kind, const struct etch_vertex *const v[2], uint16_t size)
 {
@@ -125,7 +126,8 @@ static void as_the_fused_kernels(void)
                      " lines and points through stages, the pixels of the fused kernels");
 }
 
-/* ---- alpha and flat colours -------------------------------------------------------------------- */
+/* ---- alpha and flat colours --------------------------------------------------------------------
+ */
 
 /* A stage that keeps what the chunk holds instead of drawing it. */
 static uint16_t seen[4][40 * 30];

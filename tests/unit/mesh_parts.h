@@ -24,7 +24,8 @@ static const struct etch_mesh grid = {grid_positions, NULL,       grid_colors,
                                       grid_indices,   GRID *GRID, (GRID - 1) * (GRID - 1) * 2,
                                       32767,          0};
 
-/* A square in the plane y = 0, +-size, triangles facing up, in uneven steps, diagonals both ways. */
+/* A square in the plane y = 0, +-size, triangles facing up, in uneven steps, diagonals both ways.
+ */
 static inline void make_grid(int32_t size, uint32_t *seed)
 {
     int32_t i, x, z;

@@ -77,8 +77,8 @@ static void assemble_one_by_one(const struct etch_mesh_texture_stage *stage,
     }
 }
 
-/* A textured mesh gives the triangles that its vertices give one by one, at the positions and in the
- * colours of the mesh without a texture. */
+/* A textured mesh gives the triangles that its vertices give one by one, at the positions and in
+ * the colours of the mesh without a texture. */
 static void mesh_is_its_triangles(void)
 {
     uint32_t seed = 4;

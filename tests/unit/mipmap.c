@@ -1,5 +1,5 @@
-/* tests/unit: mipmaps: every level against exact means of the image, the level of a triangle and the
- * coordinates in it against their definitions. */
+/* tests/unit: mipmaps: every level against exact means of the image, the level of a triangle and
+ * the coordinates in it against their definitions. */
 #include "core/fragment/mipmap.h"
 #include "core/fragment/sampler.h"
 #include "tests/harness/harness.h"

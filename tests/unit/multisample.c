@@ -1,6 +1,7 @@
-/* tests/unit: four samples a pixel, own and shared with neighbours. Coverage by sample is the rule of
- * the centre for a moved triangle, and so are the values: the oracle says which samples, painters of
- * plain surfaces which colour and depth. Meshes have no seams; strips and clips change nothing. */
+/* tests/unit: four samples a pixel, own and shared with neighbours. Coverage by sample is the rule
+ * of the centre for a moved triangle, and so are the values: the oracle says which samples,
+ * painters of plain surfaces which colour and depth. Meshes have no seams; strips and clips change
+ * nothing. */
 #include "core/base/rgb565.h"
 #include "core/draw/shapes.h"
 #include "core/draw/triangle.h"
@@ -93,7 +94,8 @@ static void resolve(const struct kind *k, const struct etch_surface *out, bool s
         (swapped ? etch_multisample_resolve_swapped : etch_multisample_resolve)(&own, out);
 }
 
-/* ---- each sample against its definition -------------------------------------------------------- */
+/* ---- each sample against its definition --------------------------------------------------------
+ */
 
 /* What plain painters draw of the triangle as each point sees it, over all cells. */
 static uint16_t seen_color[POINTS][PLANE], seen_depth[POINTS][PLANE];
@@ -280,7 +282,8 @@ static void samples_are_covered_and_valued_by_the_rule(void)
     }
 }
 
-/* ---- resolving ---------------------------------------------------------------------------------- */
+/* ---- resolving ----------------------------------------------------------------------------------
+ */
 
 static struct test_canvas canvas;
 
@@ -329,7 +332,8 @@ static void resolving_is_the_exact_average(void)
     CHECK_EQ(wrong, 0);
 }
 
-/* ---- meshes ------------------------------------------------------------------------------------- */
+/* ---- meshes -------------------------------------------------------------------------------------
+ */
 
 enum {
     GRID = 5
@@ -406,7 +410,8 @@ static void a_mesh_of_one_colour_has_no_seams(void)
     CHECK_EQ(wrong, 0);
 }
 
-/* ---- strips, and other calls on the samples -------------------------------------------------------- */
+/* ---- strips, and other calls on the samples
+ * -------------------------------------------------------- */
 
 static uint16_t whole[WIDTH * HEIGHT];
 

@@ -88,7 +88,8 @@ static enum etch_status draw_by_painter(const struct scene *s, uint16_t room)
     return status;
 }
 
-/* ---- what may differ --------------------------------------------------------------------------- */
+/* ---- what may differ ---------------------------------------------------------------------------
+ */
 
 /* Depth in 2^-16 at a pixel's centre, and how much it changes over 1/256 px in x and y together. */
 static int64_t depth_at(const struct etch_vertex v[3], int32_t x, int32_t y, int64_t *change)
@@ -175,7 +176,8 @@ static int32_t held(int32_t v)
     return v > LIMIT ? LIMIT : v < -LIMIT ? -LIMIT : v;
 }
 
-/* ---- random scenes ----------------------------------------------------------------------------- */
+/* ---- random scenes -----------------------------------------------------------------------------
+ */
 
 /* Triangles anywhere over the window, most of them piercing others. */
 static void piercing_triangles(void)
@@ -345,7 +347,8 @@ static void a_piercing_pair(void)
     CHECK(!test_canvas_drawn(&canvas, 3, 3));
 }
 
-/* ---- the ordering table ------------------------------------------------------------------------ */
+/* ---- the ordering table ------------------------------------------------------------------------
+ */
 
 static void list_color(struct etch_sink *sink, const struct etch_vertex *const v[3])
 {

@@ -95,8 +95,8 @@ static void offsets_are_those_published(void)
     }
 }
 
-/* The orientation command in each rotation, the order of the colours included, as Adafruit's drivers
- * and TFT_eSPI send it. */
+/* The orientation command in each rotation, the order of the colours included, as Adafruit's
+ * drivers and TFT_eSPI send it. */
 static void orientations_are_those_published(void)
 {
     static const struct {

@@ -137,8 +137,8 @@ static void the_scan_can_follow_the_frame(void)
     }
 }
 
-/* What an application gives as setup.sync: waits for the pulse of the tearing-effect line, which the
- * driver must have switched on, and then as long as the plan says. */
+/* What an application gives as setup.sync: waits for the pulse of the tearing-effect line, which
+ * the driver must have switched on, and then as long as the plan says. */
 static int wait_for_scan(const struct etch_display *d)
 {
     const struct etch_panel_scan scan = scan_of(&square, false);

@@ -132,7 +132,8 @@ static void strides_are_kept(void)
     }
 }
 
-/* ---- a bus that blocks, as ports/README.md writes it -------------------------------------------- */
+/* ---- a bus that blocks, as ports/README.md writes it --------------------------------------------
+ */
 
 static struct etch_panel glass;
 

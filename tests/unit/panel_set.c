@@ -43,8 +43,8 @@ static void settings_work(void)
     }
 }
 
-/* "Off" and "asleep" are two wishes, whichever comes first and whether or not the controller has one
- * command for both: the glass is lit only while neither holds. */
+/* "Off" and "asleep" are two wishes, whichever comes first and whether or not the controller has
+ * one command for both: the glass is lit only while neither holds. */
 static void off_and_asleep_are_apart(void)
 {
     for (const struct etch_panel_type *t = etch_panel_types; t->name != NULL; t++) {

@@ -11,7 +11,8 @@ void suite_passes(void);
 static struct test_canvas canvas;
 static uint16_t sums[3 * PIXELS];
 
-/* ---- accumulation ------------------------------------------------------------------------------ */
+/* ---- accumulation ------------------------------------------------------------------------------
+ */
 
 /* Sums as they should be, per channel of each pixel. */
 static uint64_t expected[3 * PIXELS];
@@ -162,7 +163,8 @@ static void accumulation_refuses_what_is_no_plane(void)
     CHECK_EQ(etch_accumulation_init(&a, sums, frame, WIDTH - 1), ETCH_EINVAL);
 }
 
-/* ---- jitter ---------------------------------------------------------------------------------------- */
+/* ---- jitter
+ * ---------------------------------------------------------------------------------------- */
 
 static void offsets_take_every_row_and_column_once(void)
 {

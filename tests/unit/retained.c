@@ -127,7 +127,8 @@ static void what_finds_no_room_is_counted(void)
     }
 }
 
-/* ---- a mesh, its visible triangles listed ------------------------------------------------------ */
+/* ---- a mesh, its visible triangles listed ------------------------------------------------------
+ */
 
 enum {
     NV = 24,

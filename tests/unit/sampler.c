@@ -1,5 +1,5 @@
-/* tests/unit: samplers: every format, filter and wrap against the definition, in exact rationals, on
- * random and hostile coordinates; fused filters equal to those of parts; what init takes. */
+/* tests/unit: samplers: every format, filter and wrap against the definition, in exact rationals,
+ * on random and hostile coordinates; fused filters equal to those of parts; what init takes. */
 #include "core/fragment/sampler.h"
 #include "core/fragment/texel.h"
 #include "tests/harness/harness.h"

@@ -1,4 +1,5 @@
-/* tests/unit: the light of lamps on materials, against the formula of lamp.h in 60-bit fractions. */
+/* tests/unit: the light of lamps on materials, against the formula of lamp.h in 60-bit fractions.
+ */
 #include "core/vertex/lamp.h"
 #include "core/base/unit.h"
 #include "tests/harness/harness.h"
@@ -193,8 +194,8 @@ static void blinn_light(void)
     compare(BLINN, etch_shade_blinn, 3);
 }
 
-/* Distances that are whole numbers: 1 / (constant + linear d + quadratic d^2) within 2^-12 of it and
- * 2^-15, at most 4. */
+/* Distances that are whole numbers: 1 / (constant + linear d + quadratic d^2) within 2^-12 of it
+ * and 2^-15, at most 4. */
 static void light_becomes_less_with_distance(void)
 {
     uint32_t seed = 4;

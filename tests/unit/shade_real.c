@@ -3,12 +3,12 @@
  * emission, diffuse, Phong, Blinn; directional, point and attenuated lamps; and where light stops
  * to add up.
  *
- * The bound follows from what lamp.h states. With u = 2^-14 a unit vector in 2.14 is within 2 sqrt(3) u,
- * below 3.5 u, of the real one, and a way of length d that is kept in 15 fraction bits turns by less
- * than sqrt(3) 2^-15 / d more. A product of two unit vectors errs by the sum of both, R . V by twice
- * two products and one more, H by the error of L and V over the length of L + V. A power n of x that
- * errs by e errs by less than n e (x + e)^(n - 1). Then lamp.h's own 1/2 + 1/32, 1/16 and 1/8 times
- * F, and 2^-12 F + 2^-15 of F. */
+ * The bound follows from what lamp.h states. With u = 2^-14 a unit vector in 2.14 is within 2
+ * sqrt(3) u, below 3.5 u, of the real one, and a way of length d that is kept in 15 fraction bits
+ * turns by less than sqrt(3) 2^-15 / d more. A product of two unit vectors errs by the sum of both,
+ * R . V by twice two products and one more, H by the error of L and V over the length of L + V. A
+ * power n of x that errs by e errs by less than n e (x + e)^(n - 1). Then lamp.h's own 1/2 + 1/32,
+ * 1/16 and 1/8 times F, and 2^-12 F + 2^-15 of F. */
 #include "tests/unit/shade_sample.h"
 
 void suite_shade_real(void);
@@ -27,7 +27,8 @@ struct about {
     double value, error;
 };
 
-/* ---- the formula ------------------------------------------------------------------------------- */
+/* ---- the formula -------------------------------------------------------------------------------
+ */
 
 /* L and F. */
 static struct about lamp_at(const struct sample *s, struct real *towards, double *turn)
@@ -174,7 +175,8 @@ static void blinn_light(void)
     compare(BLINN, etch_shade_blinn, 13);
 }
 
-/* Lamps at no distance give 4 each; two or any number of them 8, of diffuse and of specular light. */
+/* Lamps at no distance give 4 each; two or any number of them 8, of diffuse and of specular light.
+ */
 static void light_adds_up_to_8(void)
 {
     static const uint8_t counts[] = {1, 2, 3, 17, 255};

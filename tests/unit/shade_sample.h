@@ -10,7 +10,8 @@ struct real {
     double v[3];
 };
 
-/* ---- real numbers ------------------------------------------------------------------------------ */
+/* ---- real numbers ------------------------------------------------------------------------------
+ */
 
 static inline double root(double v)
 {
@@ -58,7 +59,8 @@ static inline struct real away(const struct etch_vector *to, const etch_q16 from
     return v;
 }
 
-/* ---- samples ----------------------------------------------------------------------------------- */
+/* ---- samples -----------------------------------------------------------------------------------
+ */
 
 struct sample {
     struct etch_lamp lamp;

@@ -1,4 +1,5 @@
-/* tests/unit: smooth shapes against 64 x 64 samples a pixel, neighbours, strips and exact blending. */
+/* tests/unit: smooth shapes against 64 x 64 samples a pixel, neighbours, strips and exact blending.
+ */
 #include "core/base/rgb565.h"
 #include "core/fragment/cover.h"
 #include "core/raster/outline.h"
@@ -67,7 +68,8 @@ static void make(struct shape *s, uint32_t *seed)
     }
 }
 
-/* How often the contour winds round a point in 1/1024 px (all samples are off its vertices' grid). */
+/* How often the contour winds round a point in 1/1024 px (all samples are off its vertices' grid).
+ */
 static int32_t winding(const struct shape *s, int64_t x, int64_t y)
 {
     int32_t n = 0;
@@ -100,8 +102,8 @@ static int32_t sampled(const struct shape *s, int32_t px, int32_t py, bool nonze
     return n;
 }
 
-/* A pixel where up to two edges pass is within 1/16 of its area (the samples themselves err by 1/64 an
- * edge). */
+/* A pixel where up to two edges pass is within 1/16 of its area (the samples themselves err by 1/64
+ * an edge). */
 static void covers_are_areas(void)
 {
     uint32_t seed = 1;
@@ -129,7 +131,8 @@ static void covers_are_areas(void)
             worst = error > worst ? error : -error > worst ? -error : worst;
             total += error < 0 ? -error : error;
         }
-        /* one pixel in many has more than two level edges; triangles never do away from their corners */
+        /* one pixel in many has more than two level edges; triangles never do away from their
+         * corners */
         CHECK(worst <= (s.n == 3 ? 256 + 64 : 512));
         CHECK(total < W * H * 32);
         if (test_failed())
@@ -170,7 +173,8 @@ static void neighbours_add_up(void)
     }
 }
 
-/* Round shapes: ring, arc, rounded rectangle and ellipse, each in strips and columns as in one piece. */
+/* Round shapes: ring, arc, rounded rectangle and ellipse, each in strips and columns as in one
+ * piece. */
 static void outline(const struct etch_outline *o, int32_t kind, uint32_t *seed)
 {
     const struct etch_point_q8 c = {test_range(seed, 0, 64 * 256), test_range(seed, 0, 48 * 256)};

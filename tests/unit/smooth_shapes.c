@@ -1,5 +1,5 @@
-/* tests/unit: smooth shapes without edges against samples by their equations, neighbours, strips, the ends of the
- * ranges. */
+/* tests/unit: smooth shapes without edges against samples by their equations, neighbours, strips,
+ * the ends of the ranges. */
 #include "core/base/trig.h"
 #include "core/fragment/cover.h"
 #include "core/raster/outline.h"
@@ -51,7 +51,8 @@ static void draw(const struct etch_surface *to, const struct shape *s,
     }
 }
 
-/* ---- the equations, for points in 1/1024 px ------------------------------------------------------ */
+/* ---- the equations, for points in 1/1024 px
+ * ------------------------------------------------------ */
 
 static bool in_disc(int64_t x, int64_t y, int64_t r)
 {
@@ -131,7 +132,8 @@ static int32_t sampled(const struct shape *s, int32_t px, int32_t py, int32_t n)
     return (int32_t)(INT64_C(4096) * inside / (n * n));
 }
 
-/* ---- covers ------------------------------------------------------------------------------------- */
+/* ---- covers -------------------------------------------------------------------------------------
+ */
 
 struct keep {
     struct etch_cover_paint paint;
@@ -206,8 +208,8 @@ static int32_t allowed(const struct shape *s)
     return (small ? 512 : 256) + 16;
 }
 
-/* Each pixel within 1/16 of its area, by 64 x 64 samples where a border may be, and by 256 x 256, which err by
- * 1/256 themselves, where these are not sure. */
+/* Each pixel within 1/16 of its area, by 64 x 64 samples where a border may be, and by 256 x 256,
+ * which err by 1/256 themselves, where these are not sure. */
 static void covers_are_areas(void)
 {
     uint32_t seed = 1;
@@ -241,8 +243,8 @@ static void covers_are_areas(void)
     }
 }
 
-/* Parts between the same rays, a ring and its hole, a frame and what it frames: 4096 in all, or as much as the
- * whole. */
+/* Parts between the same rays, a ring and its hole, a frame and what it frames: 4096 in all, or as
+ * much as the whole. */
 static void neighbours_add_up(void)
 {
     uint32_t seed = 2;
@@ -423,8 +425,8 @@ static void windows_leave_edges_out(void)
     CHECK_EQ(test_canvas_hash(&canvas), test_canvas_hash(&other));
 }
 
-/* What the header says of seams: a later shape over an earlier one that reaches under it shows the two colours
- * and nothing of what was below both. */
+/* What the header says of seams: a later shape over an earlier one that reaches under it shows the
+ * two colours and nothing of what was below both. */
 static void overlapped_edges_show_two_colours(void)
 {
     const struct etch_cover_flat_paint red = {{etch_cover_flat}, 0xF800, 255};

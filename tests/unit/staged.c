@@ -1,5 +1,5 @@
-/* tests/unit: staged pixel work is that of the fused kernels bit for bit where both exist (textures:
- * staged_textures.c). */
+/* tests/unit: staged pixel work is that of the fused kernels bit for bit where both exist
+ * (textures: staged_textures.c). */
 #include "core/draw/shapes.h"
 #include "core/draw/blend.h"
 #include "core/draw/staged.h"
@@ -23,7 +23,8 @@ static struct etch_staged_planes planes;
         NULL, NULL                                                                                 \
     }
 
-/* ---- the same as fused ------------------------------------------------------------------------ */
+/* ---- the same as fused ------------------------------------------------------------------------
+ */
 
 static etch_varying *const smooth_depth[] = {etch_varying_color, etch_varying_depth, NULL};
 static etch_varying *const flat_depth[] = {etch_varying_flat, etch_varying_depth, NULL};

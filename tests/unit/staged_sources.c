@@ -1,5 +1,5 @@
-/* tests/unit: the sources of staged pixel work keep their bounds against exact rationals: colour and
- * alpha, linear on the screen and in perspective. */
+/* tests/unit: the sources of staged pixel work keep their bounds against exact rationals: colour
+ * and alpha, linear on the screen and in perspective. */
 #include "core/draw/staged.h"
 #include "core/fragment/write.h"
 #include "tests/harness/canvas.h"
@@ -27,7 +27,8 @@ static void random_alpha(struct test_sample *s, uint32_t *seed)
                                                : 17);
 }
 
-/* ---- bounds of the sources: a stage that keeps what it sees -------------------------------------- */
+/* ---- bounds of the sources: a stage that keeps what it sees
+ * -------------------------------------- */
 
 static struct {
     uint16_t value[4];

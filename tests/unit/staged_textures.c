@@ -1,5 +1,5 @@
-/* tests/unit: textures by stages as by their fused kernels, copies one to one, and a pipeline of all
- * that reads planes: clips change nothing. */
+/* tests/unit: textures by stages as by their fused kernels, copies one to one, and a pipeline of
+ * all that reads planes: clips change nothing. */
 #include "core/draw/staged.h"
 #include "core/draw/texture.h"
 #include "core/fragment/blend.h"
@@ -108,7 +108,8 @@ static void textures_one_to_one_are_copies(void)
     }
 }
 
-/* ---- clips and strips ------------------------------------------------------------------------------ */
+/* ---- clips and strips
+ * ------------------------------------------------------------------------------ */
 
 /* A pipeline with everything that reads planes. */
 static etch_varying *const all[] = {etch_varying_color_perspective, etch_varying_depth,

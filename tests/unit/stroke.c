@@ -1,4 +1,5 @@
-/* tests/unit: thick polylines against distances from the line, and their caps, joints and dashes. */
+/* tests/unit: thick polylines against distances from the line, and their caps, joints and dashes.
+ */
 #include "core/raster/stroke.h"
 #include "tests/harness/canvas.h"
 
@@ -42,7 +43,8 @@ static void fill(void)
     etch_smooth_fill_nonzero(&surface, &smooth, &paint, row_memory);
 }
 
-/* Whether (x, y) is within `half` of the segment from a to b; with flat ends, or ends `more` longer. */
+/* Whether (x, y) is within `half` of the segment from a to b; with flat ends, or ends `more`
+ * longer. */
 static bool near(struct etch_point_q8 a, struct etch_point_q8 b, int64_t x, int64_t y, int64_t half)
 {
     const int64_t dx = b.x - a.x, dy = b.y - a.y, px = x - a.x, py = y - a.y;

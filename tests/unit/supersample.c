@@ -1,5 +1,5 @@
-/* tests/unit: frames drawn larger and averaged, against sums in 64 bits; meshes of one colour have no
- * seams, by supersampling and by accumulation. */
+/* tests/unit: frames drawn larger and averaged, against sums in 64 bits; meshes of one colour have
+ * no seams, by supersampling and by accumulation. */
 #include "core/base/rgb565.h"
 #include "core/draw/shapes.h"
 #include "core/draw/triangle.h"
@@ -18,7 +18,8 @@ void suite_supersample(void);
 static struct test_canvas canvas;
 static uint16_t large_pixels[PIXELS * LARGE * LARGE], sums[3 * PIXELS];
 
-/* ---- supersampling ------------------------------------------------------------------------------- */
+/* ---- supersampling
+ * ------------------------------------------------------------------------------- */
 
 typedef void resolve_function(const struct etch_surface *large, const struct etch_surface *out);
 
@@ -124,7 +125,8 @@ static void supersampled_coverage_counts_samples(void)
     CHECK_EQ(wrong, 0);
 }
 
-/* ---- a mesh of one colour has no seams ------------------------------------------------------------ */
+/* ---- a mesh of one colour has no seams
+ * ------------------------------------------------------------ */
 
 enum {
     CELLS = 5,

@@ -281,7 +281,8 @@ static void decodes_utf8(void)
                cut, 3); /* cut: one for each longest part */
 }
 
-/* Every code point encoded, decodes; with its last byte cut off it is bad and nothing beyond is read. */
+/* Every code point encoded, decodes; with its last byte cut off it is bad and nothing beyond is
+ * read. */
 static void decodes_all(void)
 {
     for (uint32_t code = 0x80; code < 0x110000; code += code < 0x1000 ? 1 : 37) {

@@ -1,5 +1,5 @@
-/* tests/unit: seeded triangles with texture coordinates in perspective, and their exact values; shared
- * by the suites of textures. */
+/* tests/unit: seeded triangles with texture coordinates in perspective, and their exact values;
+ * shared by the suites of textures. */
 #ifndef TESTS_UNIT_TEXTURE_PARTS_H
 #define TESTS_UNIT_TEXTURE_PARTS_H
 

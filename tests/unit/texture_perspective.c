@@ -95,8 +95,9 @@ static bool is_near(const int32_t c[3], int64_t place, int64_t near, uint32_t te
     return false;
 }
 
-/* Whether the line of a block is as near to the exact coordinate as fragment/texture.h says: a quarter
- * of what the coordinate changes by times what 1/w does, in 1/65536 of the lesser of its ends. */
+/* Whether the line of a block is as near to the exact coordinate as fragment/texture.h says: a
+ * quarter of what the coordinate changes by times what 1/w does, in 1/65536 of the lesser of its
+ * ends. */
 static bool line_is_near(const struct texture_sample *s, int64_t from, int64_t to, int64_t exact,
                          int32_t x, int32_t y)
 {

@@ -1,6 +1,7 @@
-/* tests/unit: that stated bounds are tight. For each mode an input whose error beyond the unavoidable 1/2 of
- * rounding comes within a tenth of what is stated beyond 1/2: found by search, drawn here, and compared
- * with exact rationals. A better arithmetic makes these fail: then the statement is to be sharpened. */
+/* tests/unit: that stated bounds are tight. For each mode an input whose error beyond the
+ * unavoidable 1/2 of rounding comes within a tenth of what is stated beyond 1/2: found by search,
+ * drawn here, and compared with exact rationals. A better arithmetic makes these fail: then the
+ * statement is to be sharpened. */
 #include "core/base/texture.h"
 #include "core/base/unit.h"
 #include "core/draw/dither.h"
@@ -51,7 +52,8 @@ static void check_tight(const struct test_sample *s, uint32_t got, struct wide v
     CHECK(!test_sample_within(got, value, area, unit, 65536 + nearly));
 }
 
-/* Linear depth, 1/2 + 1/64 unit where x + y <= 2046: the exact planes of raster/plane.h, 1023 / 2^16 off. */
+/* Linear depth, 1/2 + 1/64 unit where x + y <= 2046: the exact planes of raster/plane.h, 1023 /
+ * 2^16 off. */
 static void depth_is_tight(void)
 {
     static const struct extreme e = {{265598, 265598, -6317054},
@@ -67,8 +69,9 @@ static void depth_is_tight(void)
                 oracle_triangle_value(&s.exact, e.px, e.py, e.value), 65536, 2048, 2048 * 9 / 10);
 }
 
-/* Colour, 1/2 + 1/1024 step: a sliver as long as the planes of a near triangle may be of. The plane itself
- * comes within 4/100 of its bound elsewhere; a pixel that also falls between two steps, within 12/100. */
+/* Colour, 1/2 + 1/1024 step: a sliver as long as the planes of a near triangle may be of. The plane
+ * itself comes within 4/100 of its bound elsewhere; a pixel that also falls between two steps,
+ * within 12/100. */
 static void color_is_tight(void)
 {
     static const struct extreme e = {
@@ -117,8 +120,8 @@ static void inverse_depth_is_tight(void)
     CHECK(!wide_at_most(off, wide_product(area, 1024 * 9 / 10)));
 }
 
-/* Reciprocals: 2^62 / d within 2^-27.9 of itself, at the d where Newton's iteration errs most (all were
- * tried), and 2^31 / sqrt(s), 2.42 units below to 0.93 above, likewise. */
+/* Reciprocals: 2^62 / d within 2^-27.9 of itself, at the d where Newton's iteration errs most (all
+ * were tried), and 2^31 / sqrt(s), 2.42 units below to 0.93 above, likewise. */
 static void reciprocals_are_tight(void)
 {
     const uint32_t d = UINT32_C(4281860304), below = UINT32_C(1081901056),

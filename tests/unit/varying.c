@@ -6,7 +6,8 @@
 
 void suite_varying(void);
 
-/* ---- a corner's value ------------------------------------------------------------------------- */
+/* ---- a corner's value -------------------------------------------------------------------------
+ */
 
 /* A weight of any size up to `bits`, as the limbs of a corner and as a wide number. */
 static struct wide random_weight(uint16_t limb[CORNER_LIMBS], int32_t bits, uint32_t *seed)
@@ -83,7 +84,8 @@ static void values_are_rounded_once(void)
     }
 }
 
-/* ---- triangles -------------------------------------------------------------------------------- */
+/* ---- triangles --------------------------------------------------------------------------------
+ */
 
 #define MOST 16
 

@@ -1,8 +1,8 @@
 /* leaf/vector128/depth_rows.h: depth first, eight pixels at a time; no part of the API. See
  * fragment/depth_rows.h.
  *
- * Depths are compared as signed lanes, for which SSE2 has an instruction, with their upper bit turned
- * over. Where some of eight pass, all eight are written: the others as they were.
+ * Depths are compared as signed lanes, for which SSE2 has an instruction, with their upper bit
+ * turned over. Where some of eight pass, all eight are written: the others as they were.
  */
 #ifndef ETCH_LEAF_DEPTH_ROWS_H
 #define ETCH_LEAF_DEPTH_ROWS_H

@@ -1,8 +1,8 @@
 /* leaf/vector128/edge_run.c: etch_edge_run in 32.32, in place of raster/edge_run.c. Called by
  * triangle.c for triangles inside the clip.
  *
- * In row k the edge crosses at X + k dx / dy, in pixels, and the run begins at the ceiling of that, a
- * multiple of 1 / (256 dy). With the slope rounded down to 2^-32 the position in 2^-32 is at most
+ * In row k the edge crosses at X + k dx / dy, in pixels, and the run begins at the ceiling of that,
+ * a multiple of 1 / (256 dy). With the slope rounded down to 2^-32 the position in 2^-32 is at most
  * n + 2 units too small, and with one unit less than a pixel added it rounds down to the ceiling as
  * long as n + 3 <= 2^24 / dy. Edges for which this does not hold go the portable way.
  */

@@ -1,5 +1,5 @@
-/* leaf/vector128/gouraud_narrow_less_swapped.c: etch_gouraud_narrow_less_swapped by vectors, in place of
- * fragment/gouraud_narrow_less_swapped.c. Called by the kernel of that name. */
+/* leaf/vector128/gouraud_narrow_less_swapped.c: etch_gouraud_narrow_less_swapped by vectors, in
+ * place of fragment/gouraud_narrow_less_swapped.c. Called by the kernel of that name. */
 #include "narrow_rows.h"
 
 void etch_gouraud_narrow_less_swapped(const struct etch_surface *surface, int16_t y0,

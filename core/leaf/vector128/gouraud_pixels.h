@@ -1,6 +1,6 @@
 /* leaf/vector128/gouraud_pixels.h: interpolated colour, eight pixels at a time; no part of the API.
- * The planes are those of fragment/gouraud_rows.h, four columns to a vector: sums modulo 2^32 do not
- * depend on their order, so every pixel has the portable one's value. */
+ * The planes are those of fragment/gouraud_rows.h, four columns to a vector: sums modulo 2^32 do
+ * not depend on their order, so every pixel has the portable one's value. */
 #ifndef ETCH_LEAF_GOURAUD_PIXELS_H
 #define ETCH_LEAF_GOURAUD_PIXELS_H
 

@@ -10,8 +10,8 @@
 #include "gouraud_planes.h"
 
 /* The pixel of lanes z, r, g, b. Two forms. On SSE2 6 bits of each lane are left, the last one of
- * red and blue is cleared, and products of 16 bits whose neighbours are summed make twice the pixel:
- * 2048 r + 64 g + b, below 2^17. */
+ * red and blue is cleared, and products of 16 bits whose neighbours are summed make twice the
+ * pixel: 2048 r + 64 g + b, below 2^17. */
 #if defined(__SSE2__)
 ETCH_INLINE uint16_t narrow_pixel(vector_u32 v)
 {

@@ -1,5 +1,6 @@
-/* size/scene_small.c: the scene of scene.c by the small names: a mesh with normals, turned and placed
- * before a perspective camera whose matrix is a constant, lit, clipped, culled, Gouraud with depth. */
+/* size/scene_small.c: the scene of scene.c by the small names: a mesh with normals, turned and
+ * placed before a perspective camera whose matrix is a constant, lit, clipped, culled, Gouraud with
+ * depth. */
 #include "size.h"
 
 #include "../../../core/draw/mesh_small.h"

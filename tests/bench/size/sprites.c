@@ -1,4 +1,5 @@
-/* size/sprites.c: images of 16 colours and a key, turned by quarters and by any angle, nine-patches. */
+/* size/sprites.c: images of 16 colours and a key, turned by quarters and by any angle,
+ * nine-patches. */
 #include "size.h"
 
 #include "../../../core/draw/image.h"

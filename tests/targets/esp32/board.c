@@ -1,7 +1,7 @@
 /* tests/targets/esp32: the component for ESP32 (ports/esp32) on the host, above a driver that only
  * pretends: it writes bytes and pins in the form that glass.c reads, and ends the program where the
- * driver would refuse. A queued transaction is read as late as may be, when its result is fetched, so
- * that memory which was given up too early shows. */
+ * driver would refuse. A queued transaction is read as late as may be, when its result is fetched,
+ * so that memory which was given up too early shows. */
 #include "ports/esp32/etch_esp32.h"
 
 #include <stdio.h>
@@ -46,7 +46,8 @@ static void send(const spi_transaction_t *job)
         printf("addr 0x1 value 0x%x\n", bytes[i]);
 }
 
-/* ---- what the component calls ------------------------------------------------------------------ */
+/* ---- what the component calls ------------------------------------------------------------------
+ */
 
 esp_err_t spi_bus_add_device(spi_host_device_t host, const spi_device_interface_config_t *config,
                              spi_device_handle_t *handle)
@@ -120,7 +121,8 @@ void vTaskDelay(uint32_t ticks)
     demand(ticks != 0, "no delay");
 }
 
-/* ---- the board --------------------------------------------------------------------------------- */
+/* ---- the board ---------------------------------------------------------------------------------
+ */
 
 const struct etch_display *board_open(void)
 {

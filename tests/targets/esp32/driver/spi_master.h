@@ -1,5 +1,5 @@
-/* tests/targets/esp32: as much of ESP-IDF's driver as ports/esp32 uses, with the names and types of its
- * header, for board.c to take the place of the driver. */
+/* tests/targets/esp32: as much of ESP-IDF's driver as ports/esp32 uses, with the names and types of
+ * its header, for board.c to take the place of the driver. */
 #ifndef TESTS_TARGETS_ESP32_SPI_MASTER_H
 #define TESTS_TARGETS_ESP32_SPI_MASTER_H
 

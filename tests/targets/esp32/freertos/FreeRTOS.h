@@ -1,4 +1,5 @@
-/* tests/targets/esp32: as much of FreeRTOS as ports/esp32 uses, a tick of 10 ms. See spi_master.h. */
+/* tests/targets/esp32: as much of FreeRTOS as ports/esp32 uses, a tick of 10 ms. See spi_master.h.
+ */
 #ifndef TESTS_TARGETS_ESP32_FREERTOS_H
 #define TESTS_TARGETS_ESP32_FREERTOS_H
 
