@@ -1,7 +1,7 @@
 /* raster/basis.h: planes of near triangles by one reciprocal of the area.
  *
  * plane.h is exact for every triangle but divides in 64 bits. A triangle whose width and height
- * add up to less than 1024 px keeps more than the promise (colour within 1/2 + 1/1024 step and
+ * add up to less than 1024 px keeps more than the promise (colour within 1/2 + 3/2048 step and
  * inside the rounded range of its vertices, depth within 1/2 + 1/64 unit) with one 32-bit
  * reciprocal and a few products per plane. Such planes are anchored at the topmost vertex, so they
  * do not depend on where on the frame the triangle lies. Slivers for which 32 bits are too few say

@@ -3,7 +3,8 @@
  *
  * The numerators n of a channel are below 2^(8 + bits). A slope is n times the area's reciprocal in
  * the channel's unit, of which 18 bits are enough: what they miss is one factor for all slopes, so
- * it counts against the change inside the triangle, at most 63 2^-17 of a step.
+ * it counts against the change inside the triangle, at most 63 2^-17 of a step. The rest of the
+ * 3/2048 that are promised is what slopes in units of 2^s lose.
  */
 #include "basis.h"
 

@@ -92,7 +92,7 @@ BOUNDS = """### What is promised, and how tight that is
 | mode | stated in | error beyond 1/2 at most | an input that comes near it |
 |---|---|---|---|
 | exact | [exact.h](../../core/fragment/exact.h) | 0 | every tie: [exact.c](../unit/exact.c) |
-| precise colour | [basis.h](../../core/raster/basis.h) | 1/1024 step near, (x + y + 1) / 2^28 else | [tight.c](../unit/tight.c) |
+| precise colour | [basis.h](../../core/raster/basis.h) | 3/2048 step near, (x + y + 1) / 2^28 else | [tight.c](../unit/tight.c) |
 | precise depth | [plane.h](../../core/raster/plane.h) | 1/64 unit where x + y <= 2046, (x + y + 1) / 2^17 beyond | [tight.c](../unit/tight.c) |
 | inverse depth | [inverse.h](../../core/fragment/inverse.h) | q within 1/64 2^-up, the code of that rounded | [tight.c](../unit/tight.c) |
 | dithered, a block's mean | [dither.h](../../core/fragment/dither.h) | 1/128 step in all | [tight.c](../unit/tight.c) |

@@ -1,6 +1,6 @@
 /* tests/unit: how thin a near triangle may be for the colour planes of one reciprocal
  * (raster/basis_color.c): where etch_basis_color takes a triangle, its planes err by less than
- * 1/1024 step at every pixel, so that no colour leaves the rounded range of its vertices: for 8-bit
+ * 3/2048 step at every pixel, so that no colour leaves the rounded range of its vertices: for 8-bit
  * colours the next place where rounding changes is at least 1/510 step away. */
 #include "core/draw/triangle.h"
 #include "core/fragment/gouraud.h"
@@ -55,7 +55,7 @@ static void color_pairs(struct etch_vertex v[3], uint32_t *seed)
     }
 }
 
-/* |plane - 1/2 - exact| <= 1/1024 step at a covered pixel, for `full` steps in units of 2^-bits.
+/* |plane - 1/2 - exact| <= 3/2048 step at a covered pixel, for `full` steps in units of 2^-bits.
  * Both times 255 area and 2^32 units more, so that nothing is below 0. */
 static bool plane_ok(const struct test_sample *s, int32_t x, int32_t y, const struct etch_plane *p,
                      const uint32_t c[3], uint32_t full, int bits)
@@ -73,7 +73,7 @@ static bool plane_ok(const struct test_sample *s, int32_t x, int32_t y, const st
     pixels++;
     while (worst < step && !wide_at_most(error, wide_scale(whole, worst >> (27 - bits))))
         worst += 1024;
-    return wide_at_most(error, wide_scale(whole, step / 1024));
+    return wide_at_most(error, wide_scale(whole, step / 2048 * 3));
 }
 
 /* The planes, where the triangle has them, and the drawn colours of every covered pixel. */
@@ -143,5 +143,5 @@ void suite_interpolation_slivers(void)
     RUN(slivers_stay_in_range);
     test_print_count("", planes, " slivers by one reciprocal");
     test_print_count("", pixels, " planes at pixels against exact rationals");
-    test_print_count("largest error ", worst / 1024, "/131072 step, allowed 128");
+    test_print_count("largest error ", worst / 1024, "/131072 step, allowed 192");
 }

@@ -69,20 +69,19 @@ static void depth_is_tight(void)
                 oracle_triangle_value(&s.exact, e.px, e.py, e.value), 65536, 2048, 2048 * 9 / 10);
 }
 
-/* Colour, 1/2 + 1/1024 step: a sliver as long as the planes of a near triangle may be of. The plane
- * itself comes within 4/100 of its bound elsewhere; a pixel that also falls between two steps,
- * within 12/100. */
+/* Colour, 1/2 + 3/2048 step: a sliver as long as the planes of a near triangle may be of, full
+ * scale across it, and a pixel that falls between two steps. */
 static void color_is_tight(void)
 {
     static const struct extreme e = {
-        {12080, 76922, 76940}, {11836, 76932, 76934}, {1, 253, 253}, 300, 300};
+        {12072, 76925, 76930}, {11821, 76934, 76931}, {0, 255, 255}, 298, 298};
     const uint32_t value[3] = {e.value[0] * 63, e.value[1] * 63, e.value[2] * 63};
     struct test_sample s;
 
     make(&s, &e);
     draw(&s, etch_triangle_gouraud, etch_kernel_gouraud);
     check_tight(&s, test_canvas_at(&canvas, e.px, e.py) >> 5 & 63,
-                oracle_triangle_value(&s.exact, e.px, e.py, value), 255, 128, 128 * 88 / 100);
+                oracle_triangle_value(&s.exact, e.px, e.py, value), 255, 192, 192 * 9 / 10);
 }
 
 /* What a painter hands over at (px, py). */
