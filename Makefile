@@ -33,8 +33,11 @@ obj   = $(patsubst %.c,$(BUILD)/%.o,$(1))
 MAKE1 = $(MAKE) --no-print-directory
 STEPS = sh tests/tools/steps.sh
 Q    := $(if $(V),,@)
-# $(call steps,NAME,TARGETS): runs the targets one after the other and sums what they report.
-steps = +$(Q)$(STEPS) $(BUILD)/$(1) $(foreach t,$(2),$(t) "$(MAKE1) $(t)")
+# $(call steps,NAME,TARGETS,BESIDE): runs the targets one after the other, those of BESIDE at the same
+# time, and sums what they report.
+step  = $(1) "$(MAKE1) $(1)"
+steps = +$(Q)$(STEPS) $(BUILD)/$(1) $(foreach t,$(2),$(call step,$(t))) \
+        $(if $(3),-- $(foreach t,$(3),$(call step,$(t))))
 
 .PHONY: all
 all: $(LIB) $(ETCH_SIM) ## the library and the simulator
@@ -93,7 +96,9 @@ FORCE:
 # ---- tests ----------------------------------------------------------------------------------------
 
 TEST_STEPS  := unit stores golden cli readme features extremes fuzz-replay
-CHECK_STEPS := test test-clang test32 test-size sanitize uninit symbols includes stack lint fuzz-check
+CHECK_STEPS := test includes stack fuzz-check
+# Beside them, two at a time: what shares no object with the others.
+CHECK_BESIDE := test-clang test32 test-size sanitize uninit symbols lint
 
 .PHONY: test
 test: $(UNIT_TEST) $(ETCH_SIM) ## all tests that need only gcc and make
@@ -139,9 +144,10 @@ extremes: ## every extreme of tests/EXTREMES.md has its test
 
 .PHONY: test-clang test32 test-size
 test-clang: ## the tests with everything compiled by clang
-	+$(Q)$(MAKE1) test CC=clang BUILD=$(BUILD)/clang DIVISOR=4
+	+$(Q)$(MAKE1) test TEST_STEPS="$(filter-out stores,$(TEST_STEPS))" CC=clang BUILD=$(BUILD)/clang DIVISOR=4
 test32: ## the tests as 32-bit programs
-	+$(Q)$(MAKE1) test BUILD=$(BUILD)/m32 EXTRA="$(EXTRA) -m32" DIVISOR=4
+	+$(Q)$(MAKE1) test TEST_STEPS="$(filter-out stores,$(TEST_STEPS))" BUILD=$(BUILD)/m32 \
+	    EXTRA="$(EXTRA) -m32" DIVISOR=4
 test-size: ## the unit tests at -Os
 	+$(Q)$(MAKE1) unit BUILD=$(BUILD)/os OPT="-Os -g" DIVISOR=4
 
@@ -178,7 +184,7 @@ fmt: ## formats every C file
 
 .PHONY: check
 check: ## all that CI runs
-	$(call steps,check,$(CHECK_STEPS))
+	$(call steps,check,$(CHECK_STEPS),$(CHECK_BESIDE))
 
 DEPS := gcc make libc6-dev gcc-multilib clang clang-tidy clang-format libclang-rt-dev cppcheck \
         gcc-arm-none-eabi gcc-avr gcc-riscv64-unknown-elf qemu-system-arm qemu-system-misc valgrind \
