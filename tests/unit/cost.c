@@ -257,6 +257,31 @@ static void huge_triangles(void)
     tell("with colour and depth: ");
 }
 
+/* Blocks of a triangle that covers a surface of 64 x 48: one that just does, or one of 32,767 px.
+ */
+static int32_t cover_cost(void (*draw)(const struct etch_vertex v[3]), bool huge)
+{
+    const struct etch_rect window = {0, 0, 64, 48};
+    struct etch_vertex v[3];
+
+    set(&v[0], huge ? -32767 : 0, huge ? 32767 : 0);
+    set(&v[1], huge ? 32767 : 112, huge ? 32767 : 0);
+    set(&v[2], 0, huge ? -32767 : 112);
+    test_canvas_open(&canvas, window);
+    (void)test_blocks();
+    draw(v);
+    CHECK_EQ(pixels_drawn(), 64 * 48);
+    return (int32_t)test_blocks();
+}
+
+/* One of +-32,767 px costs no more, give or take set-up. */
+static void a_triangle_of_32767_px_over_64_by_48(void)
+{
+    CHECK(cover_cost(fill, true) <= cover_cost(fill, false) + 400);
+    CHECK(cover_cost(flat_depth, true) <= cover_cost(flat_depth, false) + 400 + 800);
+    CHECK(cover_cost(gouraud_depth, true) <= cover_cost(gouraud_depth, false) + 400 + 4 * 800);
+}
+
 /* Outlines of rectangles up to 32,767 px wide round, through and beside the clip. */
 static void large_rectangles(void)
 {
@@ -284,6 +309,7 @@ void suite_cost(void)
     RUN(large_circles);
     RUN(large_discs);
     RUN(huge_triangles);
+    RUN(a_triangle_of_32767_px_over_64_by_48);
     RUN(large_rectangles);
     if (!TEST_STORES)
         test_print("pixels only; `make stores` counts the blocks");
