@@ -22,31 +22,16 @@ avr="$avr|__(ashl|ashr|lshr|rotl)[hsd]i3|__prologue_saves__|__epilogue_restores_
 avr="$avr|__tablejump2?__|__tablejump_elpm__|__do_copy_data"
 rv32='__(ashl|ashr|lshr)di3|__clz[sd]i2|__muldi3'
 
-complain()
+# Of the objects that file $1 lists, all at once: a line "OBJECT what is wrong" for every undefined name
+# that is not allowed, and for memory that is not constant.
+wrong()
 {
-    echo "FAIL $*"
-    bad=1
-}
-
-# $1 object: undefined names that are not allowed, and memory that is not constant
-check_object()
-{
-    bad=
-    for name in $("$nm" -u "$1" | awk '{ print $NF }'); do
-        echo "$name" | grep -Eqx "etch_[a-z0-9_]+|memcpy|memset|$allowed" ||
-            complain "$core $opt $source: uses $name"
-    done
-    for section in $("$size" -A "$1" | awk '$1 ~ /^\.(s?data|s?bss|tdata|tbss)/ && $2 > 0 {
-                         print $1 "=" $2 }' | grep -v '^\.data\.rel\.ro'); do
-        complain "$core $opt $source: $section bytes of mutable memory"
-    done
-    ! "$nm" "$1" | grep -q ' C ' || complain "$core $opt $source: common memory"
-    [ -z "$bad" ]
-}
-
-count()
-{
-    if [ "$1" -eq 0 ]; then passed=$((passed + 1)); else failed=$((failed + 1)); fi
+    xargs "$nm" -A -u <"$1" | sed 's/^\([^:]*\):.* /\1 uses /' |
+        grep -Evx "[^ ]+ uses (etch_[a-z0-9_]+|memcpy|memset|$allowed)"
+    xargs "$nm" -A <"$1" | sed -n 's/^\([^:]*\):.* C \(.*\)/\1 has common memory: \2/p'
+    xargs "$size" -A <"$1" | awk '$2 == ":" { object = $1 }
+        $1 ~ /^\.(s?data|s?bss|tdata|tbss)/ && $1 !~ /^\.data\.rel\.ro/ && $2 > 0 {
+            print object, "has bytes of mutable memory:", $1, $2 }'
 }
 
 # Names that core uses and nobody in core defines.
@@ -68,22 +53,24 @@ check_core()
     for opt in -Os -O2; do
         out=$dir/$core$opt n=0 broken=$failed
         rm -rf "$out"
+        mkdir -p "$out"
         for source in $sources; do
             object=$out/${source%.c}.o
             mkdir -p "${object%/*}"
             # shellcheck disable=SC2086
-            if ! "${2}gcc" $3 $opt $warn -c "$source" -o "$object"; then
-                echo "FAIL $core $opt $source: does not compile"
-                count 1
-                continue
+            if "${2}gcc" $3 $opt $warn -c "$source" -o "$object"; then
+                echo "$object"
+                n=$((n + 1))
+            else
+                echo "FAIL $core $opt $source: does not compile" >&2
             fi
-            check_object "$object"
-            count $?
-            n=$((n + 1))
-        done
-        check_closure
-        count $?
-        helpers=$(find "$out" -name '*.o' -exec "$nm" -u {} + | awk '/ U / { print $NF }' |
+        done >"$out/objects"
+        wrong "$out/objects" | sed "s,^$out/,FAIL $core $opt ," >"$out/wrong"
+        cat "$out/wrong"
+        bad=$(cut -d ' ' -f 4 "$out/wrong" | sort -u | wc -l)
+        failed=$((failed + bad + $(echo $sources | wc -w) - n)) passed=$((passed + n - bad))
+        if check_closure; then passed=$((passed + 1)); else failed=$((failed + 1)); fi
+        helpers=$(xargs "$nm" -u <"$out/objects" | awk '/ U / { print $NF }' |
             grep -v '^etch_' | sort -u | tr '\n' ' ')
         [ "$failed" -gt "$broken" ] || echo "$core $opt: $n objects, no byte of .data or .bss;" \
             "not etch's own: ${helpers:-none}"
